@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "graph/pose_graph.hpp"
+
+namespace lanefuse {
+
+/// How a switch variable enters the cost.
+enum class SwitchForm : std::uint8_t {
+  linear = 0,   ///< s J + W (1-s)^2, the paper's text; s = clip(1 - J / 2W, 0, 1)
+  squared = 1,  ///< s^2 J + W (1-s)^2, Suenderhauf & Protzel 2012; s = W / (W + J)
+};
+
+struct SolverConfig {
+  int max_iterations = 2;            ///< Gauss-Newton iterations; a warm-started window needs one or two
+  double relative_tolerance = 1e-9;  ///< stop when chi2 falls by less than this share
+  SwitchForm switch_form = SwitchForm::linear;
+};
+
+enum class SolveStatus : std::uint8_t {
+  converged = 0,
+  iterations_exhausted = 1,  ///< improved, but not to the tolerance: usual for a warm-started window
+  singular = 2,              ///< the graph leaves vertices undetermined; nothing was changed
+  not_finite = 3,            ///< a number in or out is not finite; nothing was changed
+  no_fixed_vertex = 4,       ///< nothing holds the gauge; nothing was changed
+  bad_edge = 5,              ///< an edge names a vertex or switch that is not there; nothing was changed
+};
+const char* to_string(SolveStatus status);
+
+struct SolveResult {
+  SolveStatus status = SolveStatus::converged;
+  int iterations = 0;
+  double initial_chi2 = 0;
+  double final_chi2 = 0;
+  [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
+};
+
+/// Minimises J(V). Keeps its workspace between calls: one object a thread.
+class GraphSolver {
+ public:
+  virtual ~GraphSolver() = default;
+  /// Moves the vertices and switches of `graph` towards the minimum; on failure leaves them bit by bit as they were.
+  virtual SolveResult solve(PoseGraph& graph, const SolverConfig& config) = 0;
+};
+
+/// Gauss-Newton with the landmarks eliminated block by block onto the poses (Schur complement, Eigen).
+std::unique_ptr<GraphSolver> make_schur_solver();
+
+}  // namespace lanefuse
