@@ -9,7 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
