@@ -35,7 +35,7 @@ constexpr double kAtTheEnd = 1e-9;  // what rounding may put beyond an end
 }  // namespace
 
 void LineAhead::extend(const Eigen::Vector2d& point) {
-  if (points_.empty() || point.x() > points_.back().x()) points_.push_back(point);
+  if (points_.empty() || point.x() >= points_.back().x() + kSmallestStep) points_.push_back(point);
 }
 
 std::optional<double> LineAhead::y(double x) const {

@@ -12,7 +12,10 @@ namespace lanefuse {
 /// A line of truth around the car, as a polyline in the vehicle frame that only goes forward.
 class LineAhead {
  public:
-  /// Appends a point if it lies further forward than the last one; else the line does not change.
+  static constexpr double kSmallestStep = 0.05;  ///< [m] along x
+
+  /// Appends a point if it lies at least kSmallestStep further forward than the last one; else the line does
+  /// not change. So neither a car that stands still nor noise along the line makes kinks.
   void extend(const Eigen::Vector2d& point);
   void clear() { points_.clear(); }
 
