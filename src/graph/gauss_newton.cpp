@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "graph/edge_terms.hpp"
 #include "graph/landmark_elimination.hpp"
@@ -31,15 +31,21 @@ class Damping {
   double value_ = 0;
 };
 
+/// From a poor start Gauss-Newton often climbs for a step or two and then drops far below where damping would
+/// have crept. So many steps in a row it may lie above its best place before it is called back there and
+/// damped.
+constexpr int kPatience = 4;
+
 class SchurSolver final : public GraphSolver {
  public:
   SolveResult solve(PoseGraph& graph, const SolverConfig& config) override;
 
  private:
   void prepare(const PoseGraph& graph, const SolverConfig& config);
-  std::optional<SolveStatus> iterate(const SolverConfig& config, SolveResult& result);
-  bool find_step(double damping);
+  SolveStatus iterate(const SolverConfig& config, SolveResult& result);
+  bool find_step();
   void take_step();
+  void return_to_best();
   [[nodiscard]] bool step_is_negligible() const;
   void write_back(PoseGraph& graph) const;
 
@@ -48,8 +54,9 @@ class SchurSolver final : public GraphSolver {
   BlockStructure structure_;
   NormalEquations equations_;
   PoseSystem poses_;
-  std::vector<Placed> places_;        ///< of all vertices
-  std::vector<Placed> trial_places_;  ///< after the step that is being tried
+  std::vector<Placed> places_;  ///< of all vertices
+  std::vector<Placed> best_places_;
+  Damping damping_;
 };
 
 SolveResult SchurSolver::solve(PoseGraph& graph, const SolverConfig& config) {
@@ -60,9 +67,7 @@ SolveResult SchurSolver::solve(PoseGraph& graph, const SolverConfig& config) {
   }
   prepare(graph, config);
   result.initial_chi2 = result.final_chi2 = terms_.evaluate(places_);
-  result.status = std::isfinite(result.initial_chi2)
-                      ? iterate(config, result).value_or(SolveStatus::iterations_exhausted)
-                      : SolveStatus::not_finite;
+  result.status = std::isfinite(result.initial_chi2) ? iterate(config, result) : SolveStatus::not_finite;
   if (result.ok()) write_back(graph);
   return result;
 }
@@ -70,6 +75,8 @@ SolveResult SchurSolver::solve(PoseGraph& graph, const SolverConfig& config) {
 void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
   places_.clear();
   for (const Vertex& v : graph.vertices) places_.push_back(placed(v.pose.x, v.pose.y, v.pose.heading));
+  best_places_ = places_;
+  damping_ = {};
   terms_.prepare(graph, config.switch_form);
   order_.compute(graph);
   structure_.compute(graph, order_);
@@ -77,59 +84,71 @@ void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
   poses_.prepare(structure_);
 }
 
-/// Iterates until something is to be said; nothing, if the iterations run out.
-std::optional<SolveStatus> SchurSolver::iterate(const SolverConfig& config, SolveResult& result) {
+/// Leaves places_ at the best place found, evaluated last.
+SolveStatus SchurSolver::iterate(const SolverConfig& config, SolveResult& result) {
   if (structure_.blocks() == 0) return SolveStatus::converged;
-  Damping damping;
-  for (; result.iterations < config.max_iterations; ++result.iterations) {
-    if (!find_step(damping.value())) return SolveStatus::singular;
-    if (!equations_.rhs.allFinite()) return SolveStatus::not_finite;
-    take_step();
-    const double before = result.final_chi2;
-    const double chi2 = terms_.evaluate(trial_places_);
-    if (chi2 <= before) {
-      places_.swap(trial_places_);
-      result.final_chi2 = chi2;
-      const bool settled = before - chi2 <= config.relative_tolerance * before;
-      if (settled && damping.value() == 0) {
-        ++result.iterations;
+  int above = 0;  // steps in a row that ended above the best place
+  while (result.iterations < config.max_iterations) {
+    ++result.iterations;
+    const double best = result.final_chi2;
+    const bool from_best = above == 0;
+    if (!find_step()) {
+      if (from_best) return SolveStatus::singular;
+    } else if (!equations_.rhs.allFinite()) {
+      return SolveStatus::not_finite;
+    } else {
+      take_step();
+      const double chi2 = terms_.evaluate(places_);
+      const bool settled =
+          from_best && damping_.value() == 0 &&
+          (std::abs(chi2 - best) <= config.relative_tolerance * best || step_is_negligible());
+      if (chi2 <= best) {
+        best_places_ = places_;
+        result.final_chi2 = chi2;
+        above = 0;
+        damping_.on_success();
+      }
+      if (settled) {
+        if (chi2 > best) return_to_best();
         return SolveStatus::converged;
       }
-      damping.on_success();
-      continue;
+      if (chi2 <= best) continue;
+      if (std::isfinite(chi2) && damping_.value() == 0 && ++above <= kPatience) continue;
     }
-    terms_.evaluate(places_);
-    if (step_is_negligible()) {
-      ++result.iterations;
-      return SolveStatus::converged;
-    }
-    damping.on_failure();
+    return_to_best();
+    above = 0;
+    damping_.on_failure();
   }
-  return std::nullopt;
+  if (above > 0) return_to_best();
+  return SolveStatus::iterations_exhausted;
 }
 
-bool SchurSolver::find_step(double damping) {
-  equations_.assemble(terms_, places_, damping);
+bool SchurSolver::find_step() {
+  equations_.assemble(terms_, places_, damping_.value());
   if (!eliminate_landmarks(structure_, equations_) || !poses_.solve(equations_)) return false;
   substitute_landmarks(structure_, equations_);
   return true;
 }
 
 void SchurSolver::take_step() {
-  trial_places_ = places_;
   for (VertexId v = 0; v < places_.size(); ++v) {
     if (order_.block(v) == kHeld) continue;
     const auto step = equations_.rhs.segment<3>(3 * order_.block(v));
     const Placed& old = places_[v];
-    trial_places_[v] = placed(old.x + step[0], old.y + step[1], wrap_angle(old.heading + step[2]));
+    places_[v] = placed(old.x + step[0], old.y + step[1], wrap_angle(old.heading + step[2]));
   }
+}
+
+void SchurSolver::return_to_best() {
+  places_ = best_places_;
+  terms_.evaluate(places_);
 }
 
 /// Whether the step is down in the rounding of the poses themselves.
 bool SchurSolver::step_is_negligible() const {
   double farthest = 1;
   for (const Placed& place : places_) farthest = std::max({farthest, std::abs(place.x), std::abs(place.y)});
-  return equations_.rhs.cwiseAbs().maxCoeff() <= 1e-11 * farthest;
+  return equations_.rhs.cwiseAbs().maxCoeff() <= 1e-12 * farthest;
 }
 
 void SchurSolver::write_back(PoseGraph& graph) const {
