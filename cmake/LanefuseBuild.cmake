@@ -21,6 +21,10 @@ endif()
 add_library(lanefuse_options INTERFACE)
 target_compile_options(lanefuse_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Werror
+  # Plain structs name their defaults at the member; a braced list may leave the rest to them.
+  -Wno-missing-field-initializers
+  # g++ 12 sees uninitialised reads inside std::optional where there are none; the sanitizers watch instead.
+  -Wno-maybe-uninitialized
   # Same input, same bytes: no contraction of a*b+c, whatever the optimisation level.
   -ffp-contract=off)
 target_link_libraries(lanefuse_options INTERFACE Eigen3::Eigen fmt::fmt)

@@ -9,12 +9,6 @@
 
 namespace lanefuse {
 
-/// How a switch variable enters the cost.
-enum class SwitchForm : std::uint8_t {
-  linear = 0,   ///< s J + W (1-s)^2, the paper's text; s = clip(1 - J / 2W, 0, 1)
-  squared = 1,  ///< s^2 J + W (1-s)^2, Suenderhauf & Protzel 2012; s = W / (W + J)
-};
-
 struct SolverConfig {
   int max_iterations = 2;            ///< Gauss-Newton iterations; a warm-started window needs one or two
   double relative_tolerance = 1e-9;  ///< stop when chi2 falls by less than this share
@@ -43,7 +37,8 @@ struct SolveResult {
 class GraphSolver {
  public:
   virtual ~GraphSolver() = default;
-  /// Moves the vertices and switches of `graph` towards the minimum; on failure leaves them bit by bit as they were.
+  /// Moves the vertices and switches of `graph` towards the minimum; on failure leaves them bit by bit as
+  /// they were.
   virtual SolveResult solve(PoseGraph& graph, const SolverConfig& config) = 0;
 };
 

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/deviation.hpp"
+#include "sensors/drive.hpp"
+
+namespace lanefuse {
+
+/// Whether the estimate's own sigma fits its deviations: the mean of (deviation / sigma)^2. 1 is honest,
+/// above is overconfident, below is timid.
+struct ConsistencyStatistics {
+  double distance_m = 0;
+  double mean_normalised_square = 0;  ///< NaN where n is 0
+  std::uint64_t n = 0;                ///< deviations that came with a sigma above zero
+};
+
+/// How often the estimate reached a distance, of the cycles that are asked about.
+struct AvailabilityStatistics {
+  double distance_m = 0;
+  double availability = 0;   ///< NaN where cycles is 0
+  std::uint64_t cycles = 0;  ///< asked about, with truth at this distance
+};
+
+/// The lanes that are judged. One entry a distance; against the ego path, `ego` is the ego lane's centre and
+/// `adjacent` is empty.
+struct LaneStatistics {
+  std::vector<DeviationStatistics> ego;
+  std::vector<DeviationStatistics> adjacent;
+};
+
+struct LaneConsistency {
+  std::vector<ConsistencyStatistics> ego;
+  std::vector<ConsistencyStatistics> adjacent;
+};
+
+/// What can be had without perceiving any lane, judged against the same path in the same cycles.
+struct BaselineStatistics {
+  std::vector<DeviationStatistics> straight;  ///< y = 0
+  std::vector<DeviationStatistics> arc;       ///< the circle of the current yaw rate
+  /// The same over exactly the cycles and distances in which the estimate had a deviation too: like against
+  /// like.
+  std::vector<DeviationStatistics> straight_where_available;
+  std::vector<DeviationStatistics> arc_where_available;
+};
+
+/// All that the evaluation of one drive says.
+struct EvaluationResult {
+  std::string truth;  ///< "exact" or "ego-path"
+  DriveInfo drive;    ///< filled by whoever knows the drive
+  LaneStatistics lanes;
+  std::uint64_t cycles = 0;
+  std::uint64_t cycles_ok = 0;          ///< with status OK
+  std::uint64_t cycles_with_truth = 0;  ///< in which the true ego lane, or the path, was known
+
+  /// Only against exact truth.
+  LaneConsistency consistency;
+  std::uint64_t cycles_with_ego_lane = 0;  ///< of those with truth: in which the estimate had an ego lane
+  std::uint64_t cycles_in_wrong_lane =
+      0;  ///< of those: a boundary of it was nearer to another true one than to its own
+  std::uint64_t false_boundaries =
+      0;  ///< estimated ones more than 1 m from every true one, summed over the cycles
+
+  /// Only against the ego path.
+  std::optional<BaselineStatistics> baselines;
+  std::vector<AvailabilityStatistics> availability_with_vehicle_ahead;
+};
+
+/// The rates that a reader asks for; NaN where nothing was judged.
+double wrong_lane_rate(const EvaluationResult& result);
+double false_boundaries_per_cycle(const EvaluationResult& result);
+
+}  // namespace lanefuse

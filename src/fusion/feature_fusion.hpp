@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/estimator.hpp"
+#include "core/feature.hpp"
+#include "core/lane_estimate.hpp"
+#include "fusion/association.hpp"
+#include "fusion/fusion_config.hpp"
+#include "fusion/sliding_window.hpp"
+#include "graph/solver.hpp"
+
+namespace lanefuse {
+
+/// What a cycle of the fusion came to.
+struct FusionResult {
+  bool has_motion = false;  ///< without it nothing was done
+  SolveResult solve;
+  InputAccounting features;  ///< measured features: used, rejected as impossible, dropped as too late or too many
+};
+
+/// Lane feature fusion [IROS16, Fig. 1 and secs. II-D, II-E]: accumulates the feature sets F_1..F_N in a sliding-window
+/// graph and gives back F_fused. It has no model of the road's shape.
+///
+/// Not safe to share between threads.
+class FeatureFusion {
+ public:
+  /// `config` must outlive the fusion.
+  FeatureFusion(const FusionConfig& config, std::unique_ptr<GraphSolver> solver);
+
+  FusionResult process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done);
+
+  /// F_fused in the vehicle frame of the last cycle: one feature a vertex, with its confidence and the covariance that
+  /// its own measurements leave it.
+  [[nodiscard]] std::span<const Feature> fused() const { return fused_; }
+
+  /// Every smoothing edge and what its switch says.
+  void switch_states(std::vector<SwitchState>& out) const;
+
+  [[nodiscard]] GraphSize size() const;
+  [[nodiscard]] const SlidingWindow& window() const { return window_; }
+
+  void reset();
+
+ private:
+  struct Attachment;
+  void add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting);
+  VertexId add_feature(const Feature& feature, const Attachment& at);
+  void remember(VertexId vertex, const Feature& feature, const Attachment& at);
+  void tie(const FeatureSet& set);
+  void smooth(const Feature& feature, VertexId vertex);
+  void renumber_tracks(const std::vector<VertexId>& new_ids);
+  void read_out();
+
+  const FusionConfig& config_;
+  std::unique_ptr<GraphSolver> solver_;
+  SlidingWindow window_;
+  FeatureAssociation association_;
+  Pose2 odometry_from_vehicle_;  ///< at the cycle's time
+  std::vector<Feature> fused_;
+  std::vector<Feature> sampled_;        ///< scratch: a set's features and the samples of its clothoids
+  std::vector<VertexId> vertex_of_;     ///< scratch: beside sampled_, where each feature went
+  std::vector<Eigen::Matrix3d> information_;  ///< scratch: beside the graph's vertices
+  /// The vertex that each side of each track touched last: where its next smoothing edge starts.
+  std::map<std::pair<std::int64_t, Side>, VertexId> last_of_track_;
+};
+
+}  // namespace lanefuse

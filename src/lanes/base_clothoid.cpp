@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "lanes/base_clothoid.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace lanefuse {
+namespace {
+
+constexpr double kMadToSigma = 1.4826;     ///< median absolute deviation to standard deviation, for normal residuals
+constexpr double kSlopeFloor = 1e-4;       ///< no scatter is taken to be smaller: exact data has no outliers
+constexpr double kMaxHeading = 0.35;       ///< [rad] beyond this a feature is no lane's, and the cubic does not hold
+
+/// The row of the slope's regression: y'(x) = theta0 + c0 x + c1 x^2 / 2.
+Eigen::Vector3d slope_row(double x) { return {1, x, x * x / 2}; }
+
+/// The same for the position beyond its offset: y(x) - y0 = theta0 x + c0 x^2 / 2 + c1 x^3 / 6.
+Eigen::Vector3d position_row(double x) { return {x, x * x / 2, x * x * x / 6}; }
+
+Clothoid shaped(const Eigen::Vector3d& shape) { return {0, shape[0], shape[1], shape[2]}; }
+
+}  // namespace
+
+bool BaseClothoidFit::considered(const Feature& feature) const {
+  return feature.x > config_.range_begin && feature.x < config_.range_end && std::abs(feature.heading) < kMaxHeading &&
+         feature.confidence > 0;
+}
+
+Eigen::Vector3d BaseClothoidFit::prior_weights() const {
+  const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
+  const double curvature = sigma / config_.curvature_sigma;
+  const double rate = sigma / config_.curvature_rate_sigma;
+  return {0, curvature * curvature, rate * rate};
+}
+
+std::optional<Eigen::Vector3d> BaseClothoidFit::solve(std::span<const Feature> features) {
+  normal_ = prior_weights().asDiagonal();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (roles_[i] != FitRole::inlier) continue;
+    const Eigen::Vector3d row = slope_row(features[i].x);
+    normal_ += features[i].confidence * row * row.transpose();
+    right += features[i].confidence * std::tan(features[i].heading) * row;
+    ++count;
+  }
+  if (count < config_.min_features) return std::nullopt;
+  return normal_.ldlt().solve(right);
+}
+
+bool BaseClothoidFit::cut_outliers(std::span<const Feature> features, const Eigen::Vector3d& shape) {
+  residuals_.clear();
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (roles_[i] == FitRole::unused) continue;
+    residuals_.push_back(std::abs(std::tan(features[i].heading) - slope_row(features[i].x).dot(shape)));
+  }
+  const auto middle = residuals_.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 2);
+  std::vector<double> sorted = residuals_;
+  const auto median = sorted.begin() + (middle - residuals_.begin());
+  std::nth_element(sorted.begin(), median, sorted.end());
+  const double cut = std::max(config_.outlier_cut * kMadToSigma * *median, kSlopeFloor);
+  bool changed = false;
+  std::size_t r = 0;
+  for (FitRole& role : roles_) {
+    if (role == FitRole::unused) continue;
+    const FitRole now = residuals_[r++] > cut ? FitRole::outlier : FitRole::inlier;
+    changed |= now != role;
+    role = now;
+  }
+  return changed;
+}
+
+std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> features) {
+  roles_.assign(features.size(), FitRole::unused);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (considered(features[i])) roles_[i] = FitRole::inlier;
+  }
+  std::optional<Eigen::Vector3d> shape = solve(features);
+  for (int i = 0; shape && i < config_.max_iterations && cut_outliers(features, *shape); ++i) shape = solve(features);
+  if (!shape) return std::nullopt;
+  const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
+  return BaseClothoid{shaped(*shape), config_.correlation * sigma * sigma * normal_.inverse()};
+}
+
+std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> features, std::span<const int> group,
+                                                    int groups) {
+  assert(group.size() == features.size() && roles_.size() == features.size());
+  const double heading_sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
+  // In units of one heading: a position counts (heading sigma / position sigma)^2.
+  const double position_weight = std::pow(heading_sigma / config_.position_sigma, 2);
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3 + groups, 3 + groups);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(3 + groups);
+  normal.topLeftCorner<3, 3>() = prior_weights().asDiagonal();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (roles_[i] == FitRole::unused) continue;
+    const Feature& feature = features[i];
+    if (roles_[i] == FitRole::inlier) {
+      const Eigen::Vector3d row = slope_row(feature.x);
+      normal.topLeftCorner<3, 3>() += feature.confidence * row * row.transpose();
+      right.head<3>() += feature.confidence * std::tan(feature.heading) * row;
+    }
+    if (group[i] < 0) continue;
+    const Eigen::Vector3d row = position_row(feature.x);
+    const double weight = feature.confidence * position_weight;
+    const int g = 3 + group[i];
+    normal.topLeftCorner<3, 3>() += weight * row * row.transpose();
+    normal.block<3, 1>(0, g) += weight * row;
+    normal.block<1, 3>(g, 0) += weight * row.transpose();
+    normal(g, g) += weight;
+    right.head<3>() += weight * feature.y * row;
+    right(g) += weight * feature.y;
+    ++count;
+  }
+  if (count < config_.min_features) return std::nullopt;
+  normal.diagonal().tail(groups).array() += 1e-9;
+  const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
+  const Eigen::VectorXd solution = factor.solve(right);
+  const Eigen::MatrixXd covariance = factor.solve(Eigen::MatrixXd::Identity(3 + groups, 3));
+  return BaseClothoid{shaped(solution.head<3>()),
+                      config_.correlation * heading_sigma * heading_sigma * covariance.topRows<3>()};
+}
+
+}  // namespace lanefuse

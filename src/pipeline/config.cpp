@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/config.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include "core/error.hpp"
+#include "pipeline/settings.hpp"
+
+namespace lanefuse {
+namespace {
+
+std::string place_of(const std::string& name, const YAML::Mark& mark) {
+  return mark.is_null() ? name : fmt::format("{}:{}", name, mark.line + 1);
+}
+
+/// Applies one YAML node below `prefix` to the settings.
+void apply(const YAML::Node& node, const std::string& prefix, const std::string& name,
+           const std::vector<Setting>& settings) {
+  if (!node.IsMap()) {
+    throw configuration_error(place_of(name, node.Mark()), fmt::format("'{}' is not a section of keys", prefix));
+  }
+  for (const auto& entry : node) {
+    const auto key = prefix + entry.first.as<std::string>();
+    const std::string place = place_of(name, entry.first.Mark());
+    const auto setting = std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.key == key; });
+    if (setting == settings.end()) {
+      const bool is_section = std::any_of(settings.begin(), settings.end(),
+                                          [&](const Setting& s) { return s.key.starts_with(key + "."); });
+      if (!is_section) {
+        throw configuration_error(place, fmt::format("unknown key '{}'", key),
+                                  "'lanefuse run --print-config' lists every key");
+      }
+      apply(entry.second, key + ".", name, settings);
+      continue;
+    }
+    if (!entry.second.IsScalar() || !setting->set(entry.second.Scalar())) {
+      const std::string given = entry.second.IsScalar() ? entry.second.Scalar() : "a structure";
+      throw configuration_error(place, fmt::format("'{}' cannot be {}", key, given),
+                                fmt::format("allowed: {} {}", setting->allowed, setting->unit));
+    }
+  }
+}
+
+void check(const PerceptionConfig& config, const std::string& name) {
+  if (config.lanes.lane_width_min >= config.lanes.lane_width_max) {
+    throw configuration_error(name, "'lanes.lane_width_min' is not below 'lanes.lane_width_max'");
+  }
+  if (config.lanes.base.range_begin >= config.lanes.base.range_end) {
+    throw configuration_error(name, "'lanes.base.range_begin' is not below 'lanes.base.range_end'");
+  }
+}
+
+}  // namespace
+
+PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults) {
+  PerceptionConfig config = defaults;
+  const std::vector<Setting> settings = settings_of(config);
+  try {
+    const YAML::Node root = YAML::Load(yaml);
+    if (!root.IsNull()) apply(root, "", name, settings);
+  } catch (const YAML::Exception& e) {
+    throw configuration_error(place_of(name, e.mark), fmt::format("not YAML: {}", e.msg));
+  }
+  check(config, name);
+  return config;
+}
+
+PerceptionConfig load_config(const std::filesystem::path& file, const PerceptionConfig& defaults) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  if (!in) throw configuration_error(file.string(), "cannot be read");
+  return parse_config(text.str(), file.string(), defaults);
+}
+
+std::string to_yaml(const PerceptionConfig& config) {
+  PerceptionConfig copy = config;
+  std::string yaml;
+  std::vector<std::string> open;  // the sections that the last key stood in
+  for (const Setting& setting : settings_of(copy)) {
+    std::vector<std::string> path;
+    std::stringstream parts(setting.key);
+    for (std::string part; std::getline(parts, part, '.');) path.push_back(part);
+    std::size_t common = 0;
+    while (common < open.size() && common + 1 < path.size() && open[common] == path[common]) ++common;
+    for (std::size_t i = common; i + 1 < path.size(); ++i) yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
+    open.assign(path.begin(), path.end() - 1);
+    const std::string unit = setting.unit.empty() ? "" : fmt::format(" [{}]", setting.unit);
+    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(), setting.effect,
+                        unit, setting.allowed);
+  }
+  return yaml;
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+
+#include "fusion/fusion_config.hpp"
+#include "lanes/lane_model_config.hpp"
+#include "sources/dead_reckoning.hpp"
+#include "sources/ego_path_source.hpp"
+#include "sources/high_resolution_camera_source.hpp"
+#include "sources/object_source.hpp"
+#include "sources/serial_camera_source.hpp"
+
+namespace lanefuse {
+
+struct SourcesConfig {
+  DeadReckoningConfig odometry;
+  SerialCameraConfig serial_camera;
+  HighResolutionCameraConfig high_resolution_camera;
+  ObjectSourceConfig objects;
+  EgoPathConfig ego_path;
+};
+
+/// Everything that can be set. Each module owns its struct; here they meet.
+struct PerceptionConfig {
+  double cycle_hz = 12.5;           ///< [Hz] cycles a second of recorded time
+  double reorder_window_s = 0.2;    ///< [s] measurements older than this at their cycle are dropped
+  double silence_s = 0.5;           ///< [s] after which a source that has spoken counts as unavailable
+  std::uint32_t max_objects = 256;  ///< objects or detections in one message; more are dropped
+  SourcesConfig sources;
+  FusionConfig fusion;
+  LaneModelConfig lanes;
+};
+
+/// Reads a YAML file over `defaults`. Every key is optional; a key that does not exist, a value of the wrong kind or out
+/// of range is refused with a configuration Error that names file, line and key.
+PerceptionConfig load_config(const std::filesystem::path& file, const PerceptionConfig& defaults = {});
+
+/// The same from text; `name` stands for the file in errors.
+PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults = {});
+
+/// The configuration as YAML that load_config() reads back, each key with effect, unit and range as its comment.
+std::string to_yaml(const PerceptionConfig& config);
+
+}  // namespace lanefuse

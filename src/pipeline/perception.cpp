@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/perception.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "pipeline/graph_estimator.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr Duration kStampMemory = std::chrono::seconds(1);
+
+/// How many things a measurement holds: what the accounting counts.
+struct ItemCount {
+  std::uint64_t operator()(const VehicleMotion&) const { return 1; }
+  std::uint64_t operator()(const SerialLane& lane) const { return (lane.left ? 1 : 0) + (lane.right ? 1 : 0); }
+  std::uint64_t operator()(const MarkingFeatures& markings) const { return markings.features.size(); }
+  std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
+  std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
+};
+
+std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
+
+/// Order of a cycle's measurements, so that it does not matter in which order they came.
+bool measured_before(const Measurement& a, const Measurement& b) {
+  const auto key = [](const Measurement& m) {
+    const Stamp& stamp = stamp_of(m);
+    return std::tuple(stamp.measured_at, m.index(), stamp.sensor_id);
+  };
+  return key(a) < key(b);
+}
+
+/// Cuts a list to its bound and says how much went.
+struct Bound {
+  std::size_t objects;
+  std::size_t features;
+  std::uint64_t operator()(RadarScan& scan) const { return cut(scan.detections, objects); }
+  std::uint64_t operator()(ObjectList& list) const { return cut(list.objects, objects); }
+  std::uint64_t operator()(MarkingFeatures& markings) const { return cut(markings.features, features); }
+  std::uint64_t operator()(auto&) const { return 0; }
+  static std::uint64_t cut(auto& list, std::size_t bound) {
+    const std::size_t before = list.size();
+    if (before > bound) list.resize(bound);
+    return before - list.size();
+  }
+};
+
+std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& config) {
+  std::vector<std::unique_ptr<FeatureSource>> sources;
+  if (config.serial_camera.enabled) sources.push_back(std::make_unique<SerialCameraSource>(config.serial_camera));
+  if (config.high_resolution_camera.enabled) {
+    sources.push_back(std::make_unique<HighResolutionCameraSource>(config.high_resolution_camera));
+  }
+  if (config.objects.enabled) sources.push_back(std::make_unique<ObjectSource>(config.objects));
+  if (config.ego_path.enabled) sources.push_back(std::make_unique<EgoPathSource>(config.ego_path));
+  return sources;
+}
+
+}  // namespace
+
+MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, const Rig& rig)
+    : config_(config),
+      rig_(rig),
+      period_(from_seconds(1 / config.cycle_hz)),
+      dead_reckoning_(config.sources.odometry),
+      sources_(make_sources(config.sources)),
+      estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {}
+
+void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
+  stage_done_ = listener;
+  estimator_->on_stage(std::move(listener));
+}
+
+void MultiLanePerception::add(Measurement measurement) {
+  inputs_.dropped += std::visit(Bound{config_.max_objects, config_.fusion.max_features}, measurement);
+  if (implausible(measurement)) {
+    inputs_.rejected += item_count(measurement);
+    return;
+  }
+  if (seen_before(measurement)) {
+    inputs_.dropped += item_count(measurement);
+    return;
+  }
+  // The first cycle is on the first whole period after the first measurement: the same for a live stream and its replay.
+  if (!next_cycle_) {
+    const auto since_epoch = stamp_of(measurement).received_at.time_since_epoch();
+    next_cycle_ = Time{(since_epoch / period_ + 1) * period_};
+  }
+  pending_.push_back(std::move(measurement));
+}
+
+bool MultiLanePerception::seen_before(const Measurement& measurement) {
+  const Stamp& stamp = stamp_of(measurement);
+  std::set<Time>& seen = stamps_[{measurement.index(), stamp.sensor_id}];
+  seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - kStampMemory));
+  return !seen.insert(stamp.measured_at).second;
+}
+
+const LaneEstimate* MultiLanePerception::advance(Time now) {
+  if (!next_cycle_ || now < *next_cycle_) return nullptr;
+  const Time time = std::exchange(*next_cycle_, *next_cycle_ + period_);
+  run_sources(time);
+  if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) estimator_->reset();
+  stage_done_(Stage::sources);
+  estimate_ = estimator_->process({time, dead_reckoning_.samples(), feature_sets_});
+  estimate_.inputs = std::exchange(inputs_, {});
+  judge_sources(time, estimate_);
+  return &estimate_;
+}
+
+void MultiLanePerception::run_sources(Time now) {
+  feature_sets_.clear();
+  std::stable_sort(pending_.begin(), pending_.end(), measured_before);
+  for (const Measurement& measurement : pending_) {
+    if (const auto* motion = std::get_if<VehicleMotion>(&measurement)) inputs_ += dead_reckoning_.add(*motion);
+  }
+  SourceContext context{rig_, dead_reckoning_.samples(), lane_width_.width(now)};
+  for (const Measurement& measurement : pending_) take(measurement, context);
+  pending_.clear();
+  for (const auto& source : sources_) {
+    const std::size_t first = feature_sets_.size();
+    source->collect(now, context, feature_sets_);
+    for (std::size_t i = first; i < feature_sets_.size(); ++i) {
+      lane_width_.update(feature_sets_[i]);
+      last_heard_[feature_sets_[i].source] = now;
+    }
+  }
+}
+
+void MultiLanePerception::take(const Measurement& measurement, const SourceContext& context) {
+  if (std::holds_alternative<VehicleMotion>(measurement)) return;
+  const Time newest = context.motion.empty() ? stamp_of(measurement).measured_at : context.motion.back().time;
+  if (newest - stamp_of(measurement).measured_at > from_seconds(config_.reorder_window_s)) {
+    inputs_.dropped += item_count(measurement);
+    return;
+  }
+  InputAccounting taken;
+  for (const auto& source : sources_) taken += source->add(measurement, context);
+  if (taken == InputAccounting{}) taken.dropped = item_count(measurement);
+  inputs_ += taken;
+}
+
+void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
+  for (int i = 0; i < kSourceCount; ++i) {
+    const auto heard = last_heard_.find(static_cast<Source>(i));
+    const bool speaks = heard != last_heard_.end() && now - heard->second <= from_seconds(config_.silence_s);
+    estimate.sources[i] = speaks ? SourceStatus::ok : SourceStatus::unavailable;
+    if (heard == last_heard_.end() || speaks || estimate.status != EstimateStatus::ok) continue;
+    estimate.status = EstimateStatus::degraded;
+    estimate.reason = StatusReason::source_silent;
+  }
+}
+
+void MultiLanePerception::reset() {
+  dead_reckoning_.reset();
+  lane_width_.reset();
+  for (const auto& source : sources_) source->reset();
+  estimator_->reset();
+  pending_.clear();
+  next_cycle_.reset();
+  restarts_ = 0;
+  inputs_ = {};
+  stamps_.clear();
+  last_heard_.clear();
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/estimator.hpp"
+#include "core/lane_estimate.hpp"
+#include "pipeline/config.hpp"
+#include "sensors/measurement.hpp"
+#include "sensors/rig.hpp"
+#include "sources/dead_reckoning.hpp"
+#include "sources/feature_source.hpp"
+#include "sources/lane_width_filter.hpp"
+
+namespace lanefuse {
+
+/// Multi-lane perception, whole: the paper's Fig. 1. Measurements go in, in the order in which they were received;
+/// cycles come out on a fixed clock over recorded time.
+///
+///     MultiLanePerception perception(config, rig);
+///     for (const Measurement& measurement : drive) {
+///       while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at)) use(*lanes);
+///       perception.add(measurement);
+///     }
+///
+/// Not safe to share between threads. Nothing in here reads a clock or a file.
+class MultiLanePerception {
+ public:
+  MultiLanePerception(const PerceptionConfig& config, const Rig& rig);
+
+  /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are counted in
+  /// the next cycle's inputs.
+  void add(Measurement measurement);
+
+  /// Runs the next cycle if it is due before `now`, on all that had been received by then. Null when none is due; the
+  /// result is valid until the next call.
+  const LaneEstimate* advance(Time now);
+
+  [[nodiscard]] const DebugView& debug() const { return estimator_->debug(); }
+
+  /// Lets the caller time the stages: called when one ends.
+  void on_stage(LaneEstimator::StageListener listener);
+
+  /// Forgets everything, as after construction.
+  void reset();
+
+ private:
+  void run_sources(Time now);
+  void take(const Measurement& measurement, const SourceContext& context);
+  bool seen_before(const Measurement& measurement);
+  void judge_sources(Time now, LaneEstimate& estimate) const;
+
+  PerceptionConfig config_;
+  Rig rig_;
+  Duration period_;
+  DeadReckoning dead_reckoning_;
+  LaneWidthFilter lane_width_;
+  std::vector<std::unique_ptr<FeatureSource>> sources_;
+  std::unique_ptr<LaneEstimator> estimator_;
+  LaneEstimator::StageListener stage_done_ = [](Stage) {};
+
+  std::vector<Measurement> pending_;
+  std::vector<FeatureSet> feature_sets_;
+  std::optional<Time> next_cycle_;
+  std::uint32_t restarts_ = 0;
+  InputAccounting inputs_;
+  /// Stamps of the last second, a kind and sensor: a message that comes twice is taken once.
+  std::map<std::pair<std::size_t, std::uint32_t>, std::set<Time>> stamps_;
+  std::map<Source, Time> last_heard_;
+  LaneEstimate estimate_;
+};
+
+}  // namespace lanefuse

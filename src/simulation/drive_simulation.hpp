@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "sensors/drive.hpp"
+#include "sensors/measurement.hpp"
+#include "sensors/rig.hpp"
+#include "sensors/truth.hpp"
+#include "simulation/preset.hpp"
+#include "simulation/sensor_model.hpp"
+#include "simulation/traffic.hpp"
+
+namespace lanefuse {
+
+struct SimulationConfig {
+  std::uint64_t seed = 1;  ///< the same seed gives the same bytes
+  double km = 2;           ///< that the ego car drives, in (0, 1000]
+  RoadKind road = RoadKind::gentle;
+  /// Odometry is always there. Road, traffic and the other sensors do not change when one is switched off.
+  bool serial_camera = true;
+  bool high_resolution_camera = true;
+  bool objects = true;
+};
+
+/// A simulated drive on a motorway, with exact truth. Runs in steps of kTick; nothing but the road grows with
+/// its length (some 130 bytes a metre).
+class DriveSimulation {
+ public:
+  /// Throws a configuration error where the configuration or the preset's rates are impossible.
+  DriveSimulation(const SimulationConfig& config, const SensorPreset& preset);
+
+  [[nodiscard]] Rig rig() const;
+  [[nodiscard]] DriveInfo info() const;
+  [[nodiscard]] TrueRoad road() const { return true_road(*road_); }
+
+  /// Moves on by one tick, and replaces the contents of `measurements` by what was received in it, in the
+  /// order of receiving, and of `truth` by how things were at the preset's fusion rate. False once the drive
+  /// is over; what is still on its way then comes with the last step.
+  bool step(std::vector<Measurement>& measurements, std::vector<TrueFrame>& truth);
+
+  /// How much of the way is done, in [0, 1].
+  [[nodiscard]] double progress() const;
+
+ private:
+  SimulationConfig config_;
+  SensorPreset preset_;
+  std::unique_ptr<const Road> road_;  ///< in one place, as traffic and scene refer to it
+  std::vector<std::unique_ptr<SensorModel>> sensors_;
+  Traffic traffic_;
+  std::int64_t ticks_ = 0;
+  bool over_ = false;
+  /// Measured, but not yet received: by time of receiving and sensor.
+  std::multimap<std::pair<Time, std::uint32_t>, Measurement> on_their_way_;
+
+  void add_sensors();
+  void measure(const Scene& now);
+  [[nodiscard]] Scene scene() const;
+  [[nodiscard]] bool is_due(double hz) const;
+  void hand_out(Time now, std::vector<Measurement>& measurements);
+};
+
+/// The moment at which simulated drives begin: 9 October 2016, 00:00 UTC.
+inline constexpr Time kSimulationStart = from_nanoseconds(1'475'971'200'000'000'000);
+inline constexpr Duration kTick{20'000'000};
+
+}  // namespace lanefuse

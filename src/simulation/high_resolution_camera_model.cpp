@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/high_resolution_camera_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lanefuse {
+namespace {
+
+constexpr double kNearest = 5;    ///< [m] ahead of the origin; the bonnet hides what is nearer
+constexpr double kSpacing = 2.5;  ///< [m] between the bars that the detector looks for along a line
+constexpr double kField = 0.63;   ///< [rad] to either side: 3840 columns of .327 mrad
+
+}  // namespace
+
+HighResolutionCameraModel::HighResolutionCameraModel(const SensorPreset& preset, std::uint64_t seed)
+    : preset_(preset.high_resolution_camera),
+      pose_(preset.camera_pose),
+      random_(seed, "high-resolution camera"),
+      view_(preset.camera_pose, random_),
+      shared_(preset_.shared_sigma_at_100_m, preset_.shared_tau, random_) {}
+
+SensorDescription HighResolutionCameraModel::description() const {
+  return {3, SensorKind::high_resolution_camera, "high-resolution camera", {0, 0, pose_.height, 0, 0, 0}};
+}
+
+double HighResolutionCameraModel::detection(double x) const {
+  return preset_.detection_near + (preset_.detection_at_130_m - preset_.detection_near) * x / 130;
+}
+
+/// All that may be wrong with one feature by itself, as its maker would state it: along the ray the row and
+/// the pitch, across it the column, the paint, the yaw and the error shared by the frame.
+Eigen::Matrix3d HighResolutionCameraModel::covariance(const Feature& feature) const {
+  const double range = std::hypot(feature.x, feature.y);
+  const double noise = preset_.noise_px * preset_.pixel;
+  const double along = range * range / pose_.height * std::hypot(noise, pose_.residual_pitch);
+  const double shared = preset_.shared_sigma_at_100_m * feature.x / 100;
+  const double across =
+      std::hypot(range * std::hypot(noise, pose_.yaw_bias), std::hypot(preset_.noise, shared));
+  const double heading = preset_.heading.at(range);
+  const Eigen::Vector3d sigma(along, across, heading);
+  return rotate_covariance(sigma.array().square().matrix().asDiagonal(), std::atan2(feature.y, feature.x));
+}
+
+/// The place (station, lateral) of something else that the detector takes for paint.
+Eigen::Vector2d HighResolutionCameraModel::replace_by_outlier(const Scene& scene,
+                                                              const Eigen::Vector2d& place) {
+  const double left = scene.road->guard_rail(+1);
+  const double right = scene.road->guard_rail(-1);
+  if (random_.chance(preset_.outliers_on_guard_rail)) return {place.x(), random_.chance(0.5) ? left : right};
+  return {place.x(), random_.uniform(right, left)};
+}
+
+void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSight& sight,
+                                            const Eigen::Vector2d& place, std::vector<Feature>& features) {
+  const Pose2 bar = scene.ego.world_from_vehicle.inverse() * scene.road->pose(place.x(), place.y());
+  if (bar.x < kNearest || bar.x > preset_.range_max || std::abs(std::atan2(bar.y, bar.x)) > kField) return;
+  if (!random_.chance(detection(bar.x)) || sight.blocked(bar.position())) return;
+  const double noise = preset_.noise_px * preset_.pixel;
+  const double height = scene.road->height().above_tangent(scene.ego.station, place.x());
+  const auto seen = view_.see(bar.position(), height, {random_.normal(noise), random_.normal(noise)});
+  if (!seen) return;
+  Feature feature;
+  feature.x = seen->x();
+  feature.y = seen->y() + shared_.value() * bar.x / 100 + random_.normal(preset_.noise);
+  feature.heading = bar.heading + random_.normal(preset_.heading.at(bar.x));
+  feature.confidence = detection(std::min(feature.x, preset_.range_max)) * (1 - preset_.outliers);
+  feature.covariance = covariance(feature);
+  feature.source = Source::high_resolution_camera;
+  feature.marking.colour = MarkingColour::white;
+  features.push_back(feature);
+}
+
+void HighResolutionCameraModel::observe_line(const Scene& scene, const LineOfSight& sight, int boundary,
+                                             std::vector<Feature>& features) {
+  const double last = scene.ego.station + preset_.range_max + kSpacing;
+  double station = scene.ego.station + kNearest + random_.uniform(-kSpacing, 0);
+  for (; station < last; station += kSpacing) {
+    if (!scene.road->painted(boundary, station)) continue;
+    Eigen::Vector2d place(station, scene.road->boundary_lateral(boundary));
+    const bool outlier = random_.chance(preset_.outliers);
+    if (outlier) place = replace_by_outlier(scene, place);
+    observe_bar(scene, sight, place, features);
+  }
+}
+
+void HighResolutionCameraModel::observe(const Scene& scene, std::vector<Measurement>& measurements) {
+  view_.advance(1 / preset_.hz, random_);
+  shared_.advance(1 / preset_.hz, random_);
+  const LineOfSight sight(scene);
+  MarkingFeatures frame;
+  frame.stamp = stamp(description(), scene.time, preset_.latency);
+  frame.shared_error =
+      SharedError{SharedError::Kind::lateral_growing_with_range, preset_.shared_sigma_at_100_m};
+  for (int i = 0; i < scene.road->boundary_count(); ++i) observe_line(scene, sight, i, frame.features);
+  measurements.emplace_back(std::move(frame));
+}
+
+}  // namespace lanefuse

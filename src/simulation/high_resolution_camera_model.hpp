@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "simulation/ground_view.hpp"
+#include "simulation/line_of_sight.hpp"
+#include "simulation/preset.hpp"
+#include "simulation/random.hpp"
+#include "simulation/sensor_model.hpp"
+
+namespace lanefuse {
+
+/// Marking features of every line on the road, frame by frame, untracked [IROS16, sec. II-B]: where there is
+/// paint, it is not hidden by a vehicle, and the detector finds it. Errs by its pixels, by the paint's ragged
+/// edges, by the camera's pose and the road's vertical curvature, by a lateral error that all features of a
+/// frame share, and by features that are none, half of them on the guard rails, where they form lines.
+///
+/// It does not say solid or dashed, for one short bar does not show it.
+class HighResolutionCameraModel final : public SensorModel {
+ public:
+  HighResolutionCameraModel(const SensorPreset& preset, std::uint64_t seed);
+  [[nodiscard]] SensorDescription description() const override;
+  [[nodiscard]] double hz() const override { return preset_.hz; }
+  void observe(const Scene& scene, std::vector<Measurement>& measurements) override;
+
+ private:
+  HighResolutionCameraPreset preset_;
+  CameraPosePreset pose_;
+  Random random_;
+  GroundView view_;
+  Wander shared_;  ///< [m] lateral at 100 m
+
+  void observe_line(const Scene& scene, const LineOfSight& sight, int boundary,
+                    std::vector<Feature>& features);
+  void observe_bar(const Scene& scene, const LineOfSight& sight, const Eigen::Vector2d& place,
+                   std::vector<Feature>& features);
+  Eigen::Vector2d replace_by_outlier(const Scene& scene, const Eigen::Vector2d& place);
+  [[nodiscard]] double detection(double x) const;
+  [[nodiscard]] Eigen::Matrix3d covariance(const Feature& feature) const;
+};
+
+}  // namespace lanefuse

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/lateral_motion.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace lanefuse {
+namespace {
+
+constexpr double kChangeTime = 4;  ///< [s] of a lane change
+constexpr double kReaction = 0.5;  ///< [s] of the hands, and of the car
+
+/// Two lags of the reaction take away some of the wander's variance; its intent is larger by this factor.
+double intent_gain(double tau) {
+  const double kept = tau / (tau + kReaction);
+  return 1 / std::sqrt((kept * kept + kept) / 2);
+}
+
+}  // namespace
+
+LateralMotion::LateralMotion(double lane_centre, const Style& style, Random& random)
+    : style_(style),
+      from_(lane_centre),
+      to_(lane_centre),
+      intent_(style.wander_sigma * intent_gain(style.wander_tau), style.wander_tau, random),
+      hand_(wish()),
+      wheel_(wish()) {}
+
+double LateralMotion::wish() const {
+  return std::clamp(style_.bias + intent_.value(), -style_.room, style_.room);
+}
+
+void LateralMotion::advance(double seconds, Random& random) {
+  intent_.advance(seconds, random);
+  const double hand_speed = (wish() - hand_) / kReaction;
+  const double wheel_speed = (hand_ - wheel_) / kReaction;
+  hand_ += seconds * hand_speed;
+  wheel_ += seconds * wheel_speed;
+  progress_ = std::min(1.0, progress_ + seconds / kChangeTime);
+}
+
+void LateralMotion::change_to(double lane_centre) {
+  assert(!changing());
+  from_ = to_;
+  to_ = lane_centre;
+  progress_ = 0;
+}
+
+/// The S-curve of least jerk: 10 p^3 - 15 p^4 + 6 p^5.
+LateralMotion::State LateralMotion::state() const {
+  const double p = progress_;
+  const double way = to_ - from_;
+  const double wheel_speed = (hand_ - wheel_) / kReaction;
+  const double hand_speed = (wish() - hand_) / kReaction;
+  return {from_ + way * p * p * p * (10 + p * (6 * p - 15)) + wheel_,
+          way / kChangeTime * 30 * p * p * (1 + p * (p - 2)) + wheel_speed,
+          way / (kChangeTime * kChangeTime) * 60 * p * (1 + p * (2 * p - 3)) +
+              (hand_speed - wheel_speed) / kReaction};
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/preset.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "simulation/hash.hpp"
+#include "simulation/preset_section.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr double kMilli = 1e-3;
+constexpr double kDegree = std::numbers::pi / 180;
+
+Range read_radius(PresetSection course) {
+  const Range radius = course.range("radius_m");
+  course.finish();
+  return radius;
+}
+
+RoadPreset read_road(PresetSection road) {
+  RoadPreset preset;
+  preset.gentle_radius = read_radius(road.section("gentle"));
+  preset.curved_radius = read_radius(road.section("curved"));
+  preset.lanes = static_cast<int>(road.positive("lanes"));
+  preset.lane_width = road.range("lane_width_m");
+  preset.shoulder = road.number("shoulder_m");
+  PresetSection width = road.section("marking_width_m");
+  preset.dashed_marking_width = width.positive("dashed");
+  preset.edge_marking_width = width.positive("edge");
+  PresetSection dash = road.section("dash_m");
+  preset.dash_mark = dash.positive("mark");
+  preset.dash_gap = dash.number("gap");
+  preset.guard_rail = road.number("guard_rail_m");
+  PresetSection vertical = road.section("vertical_curvature");
+  preset.vertical_curvature_sigma = vertical.number("sigma_1pm");
+  preset.vertical_curvature_length = vertical.positive("length_m");
+  for (const PresetSection& part : {width, dash, vertical, road}) part.finish();
+  return preset;
+}
+
+EgoPreset read_ego(PresetSection ego) {
+  EgoPreset preset;
+  preset.speed = ego.positive("speed_mps");
+  preset.lane_change_every = ego.positive("lane_change_every_s");
+  ego.finish();
+  return preset;
+}
+
+TrafficPreset read_traffic(PresetSection traffic) {
+  TrafficPreset preset;
+  preset.vehicles_per_metre_lane = traffic.number("vehicles_per_km_lane") * kMilli;
+  preset.trucks = traffic.share("trucks");
+  preset.wander_sigma = traffic.number("wander_sigma_m");
+  preset.wander_tau = traffic.positive("wander_tau_s");
+  preset.driver_bias = traffic.number("driver_bias_m");
+  preset.lane_change_every = traffic.positive("lane_change_every_s");
+  traffic.finish();
+  return preset;
+}
+
+OdometryPreset read_odometry(PresetSection odometry) {
+  OdometryPreset preset;
+  preset.hz = odometry.positive("hz");
+  preset.latency = odometry.number("latency_ms") * kMilli;
+  preset.speed_scale = odometry.number("speed_scale");
+  preset.yaw_rate_white = odometry.degrees("yaw_rate_white_dps");
+  preset.yaw_rate_bias = odometry.degrees("yaw_rate_bias_dps");
+  odometry.finish();
+  return preset;
+}
+
+CameraPosePreset read_camera_pose(PresetSection pose) {
+  CameraPosePreset preset;
+  preset.height = pose.positive("height_m");
+  preset.residual_pitch = pose.degrees("residual_pitch_deg");
+  preset.residual_pitch_tau = pose.positive("residual_pitch_tau_s");
+  preset.yaw_bias = pose.degrees("yaw_bias_deg");
+  preset.yaw_bias_tau = pose.positive("yaw_bias_tau_s");
+  pose.finish();
+  return preset;
+}
+
+SerialCameraPreset read_serial_camera(PresetSection camera) {
+  SerialCameraPreset preset;
+  preset.hz = camera.positive("hz");
+  preset.latency = camera.number("latency_ms") * kMilli;
+  preset.pixel = camera.positive("pixel_mrad") * kMilli;
+  preset.noise_px = camera.number("noise_px");
+  preset.range_max = camera.positive("range_max_m");
+  preset.range_mean = camera.positive("range_mean_m");
+  preset.dropout = camera.share("dropout");
+  camera.expect("tracker", "five-state Kalman filter");
+  camera.finish();
+  return preset;
+}
+
+HighResolutionCameraPreset read_high_resolution_camera(PresetSection camera) {
+  HighResolutionCameraPreset preset;
+  preset.hz = camera.positive("hz");
+  preset.latency = camera.number("latency_ms") * kMilli;
+  preset.pixel = camera.positive("pixel_mrad") * kMilli;
+  preset.noise_px = camera.number("noise_px");
+  preset.noise = camera.number("noise_m");
+  preset.range_max = camera.positive("range_max_m");
+  PresetSection detection = camera.section("detection");
+  preset.detection_near = detection.share("near");
+  preset.detection_at_130_m = detection.share("at_130_m");
+  PresetSection heading = camera.section("heading_deg");
+  preset.heading = {heading.degrees("base"), heading.degrees("at_100_m")};
+  preset.shared_sigma_at_100_m = camera.number("frame_shared_sigma_at_100_m");
+  preset.shared_tau = camera.positive("frame_shared_tau_s");
+  preset.outliers = camera.share("outliers");
+  preset.outliers_on_guard_rail = camera.share("outliers_on_guard_rail");
+  for (const PresetSection& part : {detection, heading, camera}) part.finish();
+  return preset;
+}
+
+ObjectListPreset read_object_list(PresetSection objects) {
+  ObjectListPreset preset;
+  preset.hz = objects.positive("hz");
+  preset.latency = objects.number("latency_ms") * kMilli;
+  preset.range_max = objects.positive("range_max_m");
+  PresetSection sigma_y = objects.section("sigma_y_m");
+  preset.sigma_y = {sigma_y.number("base"), sigma_y.number("at_100_m")};
+  sigma_y.finish();
+  preset.tau = objects.positive("tau_s");
+  const Range heading = objects.range("heading_deg");
+  preset.heading = {heading.low * kDegree, heading.high * kDegree};
+  preset.misalignment = objects.degrees("misalignment_deg");
+  objects.finish();
+  return preset;
+}
+
+LongRangeRadarPreset read_long_range_radar(PresetSection radar) {
+  return {radar.number("sigma_range_m"), radar.number("sigma_range_rate_mps")};
+}
+
+CameraBoxesPreset read_camera_boxes(PresetSection boxes) {
+  PresetSection detection = boxes.section("detection");
+  return {boxes.positive("range_m"), detection.share("near"), detection.share("at_90_m")};
+}
+
+YAML::Node parse_yaml(std::string_view text, const std::string& place) {
+  try {
+    return YAML::Load(std::string(text));
+  } catch (const YAML::Exception& error) {
+    throw configuration_error(place, fmt::format("line {} is not YAML: {}", error.mark.line + 1, error.msg));
+  }
+}
+
+}  // namespace
+
+SensorPreset parse_preset(std::string_view text, const std::string& place) {
+  PresetSection file(parse_yaml(text, place), place);
+  SensorPreset preset;
+  preset.hash = fmt::format("{:016x}", fnv1a(text));
+  file.expect("version", "1");
+  preset.road = read_road(file.section("road"));
+  preset.ego = read_ego(file.section("ego"));
+  preset.traffic = read_traffic(file.section("traffic"));
+  preset.fusion_hz = file.positive("fusion_hz");
+  preset.odometry = read_odometry(file.section("odometry"));
+  preset.camera_pose = read_camera_pose(file.section("camera_pose"));
+  preset.serial_camera = read_serial_camera(file.section("serial_camera"));
+  preset.high_resolution_camera = read_high_resolution_camera(file.section("high_resolution_camera"));
+  preset.object_list = read_object_list(file.section("object_list"));
+  preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
+  preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
+  for (const char* later : {"conventions", "short_range_radar", "ghosts", "gnss_ins", "truth"})
+    file.leave(later);
+  file.finish();
+  return preset;
+}
+
+SensorPreset nominal_preset() { return parse_preset(nominal_preset_text(), "nominal-preset.yaml"); }
+
+SensorPreset load_preset(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw configuration_error(path.string(), "cannot be read");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return parse_preset(text, path.string());
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "simulation/preset.hpp"
+#include "simulation/random.hpp"
+#include "simulation/road.hpp"
+#include "simulation/vehicle.hpp"
+
+namespace lanefuse {
+
+inline constexpr std::int64_t kEgoId = 0;
+
+/// The ego car and the vehicles within kTrafficReach of it.
+///
+/// Each lane has its usual speed; trucks keep to the right lane. Drivers follow their leader, wander in their
+/// lane and change it when they have waited long enough and find a gap. Vehicles enter at the ends of the
+/// reach as if the traffic went on there, and are forgotten beyond it. No vehicle ever runs into another.
+class Traffic {
+ public:
+  /// The ego car starts in the middle lane at `start` [m].
+  Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed);
+
+  void advance(double seconds);
+
+  [[nodiscard]] const Vehicle& ego() const { return vehicles_.front(); }
+  /// The ego car first, the others in the order of their coming.
+  [[nodiscard]] const std::vector<Vehicle>& vehicles() const { return vehicles_; }
+
+ private:
+  const Road& road_;
+  TrafficPreset preset_;
+  EgoPreset ego_preset_;
+  Random random_;
+  std::int64_t next_id_ = kEgoId + 1;
+  std::vector<Vehicle> vehicles_;
+  struct Headways {
+    double front;  ///< [m] to leave free before the next vehicle enters
+    double rear;
+  };
+  std::vector<Headways> headways_;  ///< a lane
+
+  Vehicle make_ego(double start);
+  Vehicle make_vehicle(int lane, double station);
+  void fill();
+  void enter(int lane);
+  void enter_at(int lane, double station, bool ahead);
+  void forget_far_ones();
+  void accelerate(Vehicle& vehicle) const;
+  void consider_lane_change(Vehicle& vehicle, double seconds);
+  [[nodiscard]] bool is_free_for(const Vehicle& vehicle, int lane) const;
+  [[nodiscard]] double draw_headway();
+};
+
+inline constexpr double kTrafficReach = 300;  ///< [m] ahead of and behind the ego car
+
+}  // namespace lanefuse
