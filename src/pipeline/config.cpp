@@ -59,6 +59,17 @@ void check(const PerceptionConfig& config, const std::string& name) {
 
 }  // namespace
 
+PerceptionConfig default_config(WitnessRule rule) {
+  PerceptionConfig config;
+  if (rule == WitnessRule::radar_only) {
+    config.sources.objects.witness.rule = rule;
+    config.sources.ego_path.enabled = true;
+    config.lanes.base.fit = BaseFit::joint;
+    config.lanes.base.position_sigma = config.sources.objects.witness.driver_sigma;
+  }
+  return config;
+}
+
 PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults) {
   PerceptionConfig config = defaults;
   const std::vector<Setting> settings = settings_of(config);
