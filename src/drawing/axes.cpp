@@ -69,7 +69,7 @@ void Axes::draw_y(SvgWriter& svg) const {
     svg.text({foot.x() - 7, foot.y() + 4}, tick_label(y, y_.step), "tick number ink-muted", Anchor::end);
   });
   // Above the axis instead of turned by a quarter: it reads without tilting the head.
-  svg.text({frame_.left - 7, frame_.top - 9}, y_.label, "label ink-text");
+  svg.text({4, frame_.top - 10}, y_.label, "label ink-text");
 }
 
 }  // namespace lanefuse

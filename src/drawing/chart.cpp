@@ -16,24 +16,28 @@ namespace {
 
 constexpr double kWidth = 560;
 constexpr double kPlotHeight = 236;
-constexpr double kLeft = 52;
+constexpr double kLeft = 46;
+constexpr double kTitleLeft = 4;
 constexpr double kRight = 18;
 constexpr double kInner = kWidth - kLeft - kRight;
+
+std::string line_css(const Series& series) {
+  return fmt::format("pen-{} {}{}", series.colour, series.marker ? "medium" : "thin",
+                     series.dashed ? " dashed" : "");
+}
 
 std::vector<LegendEntry> legend_of(const std::vector<Series>& series) {
   std::vector<LegendEntry> entries;
   for (const Series& one : series) {
-    const std::string line =
-        fmt::format("pen-{} {}{}", one.colour, one.marker ? "medium" : "thin", one.dashed ? " dashed" : "");
-    entries.push_back({one.label, line, one.marker, one.colour});
+    if (!one.label.empty()) entries.push_back({one.label, line_css(one), one.marker, one.colour});
   }
   return entries;
 }
 
-void draw_series(SvgWriter& svg, const Axes& axes, const Series& series, const LegendEntry& look) {
+void draw_series(SvgWriter& svg, const Axes& axes, const Series& series) {
   std::vector<Pixel> pixels;
   for (const Eigen::Vector2d& point : series.points) pixels.push_back(axes.at(point.x(), point.y()));
-  svg.polyline(pixels, look.line_css + " round");
+  svg.polyline(pixels, line_css(series) + " round");
   if (!series.marker) return;
   for (const Pixel& pixel : pixels) draw_marker(svg, *series.marker, pixel, 3.2, series.colour);
 }
@@ -77,11 +81,11 @@ Figure draw_chart(const Chart& chart) {
   const double top = 34 + legend_height(kInner, legend) + 22;
   const Axes axes({kLeft, top, kInner, kPlotHeight}, chart.x, chart.y);
   SvgWriter svg;
-  svg.text({kLeft - 7, 20}, chart.title, "heading ink-text");
-  draw_legend(svg, {kLeft - 7, 42}, kInner, legend);
+  svg.text({kTitleLeft, 20}, chart.title, "heading ink-text");
+  draw_legend(svg, {kTitleLeft, 42}, kInner, legend);
   axes.draw(svg);
   if (!has_data(chart)) say_no_data(svg, axes);
-  for (std::size_t i = 0; i < chart.series.size(); ++i) draw_series(svg, axes, chart.series[i], legend[i]);
+  for (const Series& series : chart.series) draw_series(svg, axes, series);
   return {kWidth, top + kPlotHeight + 44, chart.title, svg.elements()};
 }
 
@@ -95,7 +99,7 @@ double percentile(std::vector<double> values, double share) {
 
 Figure draw_cycle_times(const std::vector<double>& cycle_ms) {
   const char* title = "Cycle time";
-  constexpr double kTop = 78;
+  constexpr double kTop = 75;
   const double largest = cycle_ms.empty() ? 0 : *std::max_element(cycle_ms.begin(), cycle_ms.end());
   const Axis x = axis_from_zero("cycle time [ms]", largest, 8);
   const double width = x.step / 5;
@@ -104,7 +108,7 @@ Figure draw_cycle_times(const std::vector<double>& cycle_ms) {
   const Axes axes({kLeft, kTop, kInner, kPlotHeight}, x,
                   axis_from_zero("cycles", *std::max_element(heights.begin(), heights.end()), 6));
   SvgWriter svg;
-  svg.text({kLeft - 7, 20}, title, "heading ink-text");
+  svg.text({kTitleLeft, 20}, title, "heading ink-text");
   axes.draw(svg);
   if (cycle_ms.empty()) {
     say_no_data(svg, axes);
@@ -119,7 +123,7 @@ Figure draw_cycle_times(const std::vector<double>& cycle_ms) {
     svg.line(axes.at(value, axes.y().from), axes.at(value, axes.y().to), css);
     legend.push_back({fmt::format("{} {:.2f} ms", name, value), css, std::nullopt, ""});
   }
-  draw_legend(svg, {kLeft - 7, 42}, kInner, legend);
+  draw_legend(svg, {kTitleLeft, 42}, kInner, legend);
   return {kWidth, kTop + kPlotHeight + 44, title, svg.elements()};
 }
 

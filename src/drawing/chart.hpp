@@ -14,9 +14,9 @@ namespace lanefuse {
 
 /// A line of a chart. Values that are not finite are gaps.
 struct Series {
-  std::string label;
+  std::string label;  ///< empty: not in the legend
   std::vector<Eigen::Vector2d> points;
-  std::string colour;            ///< one of the colours of figure_css(), see series_class()
+  std::string colour;            ///< one of the colours of figure_css()
   std::optional<Marker> marker;  ///< at each point; reference lines have none, and are thin
   bool dashed = false;
 };

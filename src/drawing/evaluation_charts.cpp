@@ -39,10 +39,26 @@ Points paper(const std::array<double, 7>& rmse) {
 double largest_value(const std::vector<Series>& series) {
   double largest = 0;
   for (const Series& one : series) {
-    for (const auto& point : one.points)
-      largest = std::isfinite(point.y()) ? std::max(largest, point.y()) : largest;
+    for (const auto& point : one.points) {
+      if (std::isfinite(point.y())) largest = std::max(largest, std::abs(point.y()));
+    }
   }
   return largest;
+}
+
+/// The mean with markers, and the lines one sigma above and below it.
+void add_mean(std::vector<Series>& series, const std::string& label,
+              const std::vector<DeviationStatistics>& lane, const std::string& colour) {
+  Points mean, above, below;
+  for (const DeviationStatistics& at : lane) {
+    mean.emplace_back(at.distance_m, at.mean_m);
+    above.emplace_back(at.distance_m, at.mean_m + at.sigma_m);
+    below.emplace_back(at.distance_m, at.mean_m - at.sigma_m);
+  }
+  const Marker marker = series.empty() ? Marker::circle : Marker::square;
+  series.push_back({label, mean, colour, marker});
+  series.push_back({"", above, colour, std::nullopt, true});
+  series.push_back({"one sigma", below, colour, std::nullopt, true});
 }
 
 bool judged(const std::vector<DeviationStatistics>& statistics) {
@@ -56,15 +72,27 @@ Chart rmse_chart(const EvaluationResult& result) {
   const auto add = [&chart](Series series) { chart.series.push_back(std::move(series)); };
   if (result.baselines) {
     add({"ego lane's centre", rmse_of(result.lanes.ego), "series-0", Marker::circle});
-    add({"arc of the yaw rate", rmse_of(result.baselines->arc), "series-2", std::nullopt, true});
-    add({"straight ahead", rmse_of(result.baselines->straight), "series-3", std::nullopt, true});
+    add({"arc of the yaw rate", rmse_of(result.baselines->arc), "series-2", Marker::triangle, true});
+    add({"straight ahead", rmse_of(result.baselines->straight), "series-3", Marker::diamond, true});
   } else if (judged(result.lanes.ego) || judged(result.lanes.adjacent)) {
     add({"ego lane", rmse_of(result.lanes.ego), "series-0", Marker::circle});
     add({"adjacent lanes", rmse_of(result.lanes.adjacent), "series-1", Marker::square});
-    add({"ego, paper's Table I", paper(kPaperEgo), "series-0", std::nullopt, true});
-    add({"adjacent, paper's Table I", paper(kPaperAdjacent), "series-1", std::nullopt, true});
+    add({"ego, Table I", paper(kPaperEgo), "series-0", std::nullopt, true});
+    add({"adjacent, Table I", paper(kPaperAdjacent), "series-1", std::nullopt, true});
   }
   chart.y = axis_from_zero("RMSE [m]", largest_value(chart.series), 6);
+  return chart;
+}
+
+Chart bias_chart(const EvaluationResult& result) {
+  Chart chart{"Mean deviation, with one sigma", distance_axis(), {}, {}};
+  add_mean(chart.series, result.baselines ? "ego lane's centre" : "ego lane", result.lanes.ego, "series-0");
+  if (judged(result.lanes.adjacent)) {
+    add_mean(chart.series, "adjacent lanes", result.lanes.adjacent, "series-1");
+  }
+  Axis half = axis_from_zero("to the left [m]", largest_value(chart.series), 3);
+  half.from = -half.to;
+  chart.y = half;
   return chart;
 }
 

@@ -11,6 +11,9 @@ namespace lanefuse {
 /// ego path for the lane's centre beside the baselines.
 Chart rmse_chart(const EvaluationResult& result);
 
+/// Mean of the deviation by distance, between lines of one sigma.
+Chart bias_chart(const EvaluationResult& result);
+
 /// Share of the cycles in which each distance was reached [%].
 Chart availability_chart(const EvaluationResult& result);
 

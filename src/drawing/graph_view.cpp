@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kWidth = 900;
 constexpr double kPlotHeight = 300;
-constexpr double kLeft = 52;
+constexpr double kLeft = 46;
+constexpr double kTitleLeft = 4;
 constexpr double kInner = kWidth - kLeft - 18;
 constexpr double kHeadingTick = 15;  // [px]
 
@@ -105,7 +106,7 @@ void draw_nodes(SvgWriter& svg, const Axes& axes, const std::vector<GraphNode>& 
       svg.line(at, at + kHeadingTick * along.normalized(), fmt::format("pen-{} medium", node_colour(kind)));
     }
     draw_marker(svg, node_marker(kind), at, 4.5, node_colour(kind));
-    if (!node.label.empty()) svg.text(at + Pixel(0, -9), node.label, "tick ink-text", Anchor::middle);
+    if (!node.label.empty()) svg.text(at + Pixel(0, 18), node.label, "tick ink-text", Anchor::middle);
   }
 }
 
@@ -116,8 +117,8 @@ Figure draw_graph(const GraphView& view) {
   const double top = 34 + legend_height(kInner, legend) + 22;
   const Axes axes = axes_around(view.nodes, top);
   SvgWriter svg;
-  svg.text({kLeft - 7, 20}, view.title, "heading ink-text");
-  draw_legend(svg, {kLeft - 7, 42}, kInner, legend);
+  svg.text({kTitleLeft, 20}, view.title, "heading ink-text");
+  draw_legend(svg, {kTitleLeft, 42}, kInner, legend);
   axes.draw(svg);
   if (view.nodes.empty()) {
     svg.text({kLeft + kInner / 2, top + kPlotHeight / 2}, "no data", "heading ink-muted", Anchor::middle);

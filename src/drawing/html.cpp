@@ -21,29 +21,43 @@ std::string percent(double share) {
   return share == 1 ? "100 %" : fmt::format("{:.1f} %", 100 * share);
 }
 
+std::string grouped(std::uint64_t count) {
+  const std::string digits = fmt::format("{}", count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
 std::string factor(double value) {
   if (!std::isfinite(value)) return "-";
-  return value < 10 ? fmt::format("{:.2f}", value) : fmt::format("{:.0f}", value);
+  return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
 }
 
 void HtmlTable::group_headings(const std::vector<std::pair<std::string, int>>& groups) {
   head_ += "<tr>";
+  std::size_t column = 0;
   for (const auto& [name, columns] : groups) {
     head_ += fmt::format(R"(<th class="group" colspan="{}">{}</th>)", columns, escape_xml(name));
+    group_starts_.insert(column);
+    column += static_cast<std::size_t>(columns);
   }
   head_ += "</tr>\n";
 }
 
-void HtmlTable::headings(const std::vector<std::string>& names) {
-  head_ += "<tr>";
-  for (const std::string& name : names) head_ += "<th>" + escape_xml(name) + "</th>";
-  head_ += "</tr>\n";
-}
+void HtmlTable::headings(const std::vector<std::string>& names) { row_of(head_, "th", names); }
 
-void HtmlTable::row(const std::vector<std::string>& cells) {
-  body_ += "<tr>";
-  for (const std::string& cell : cells) body_ += "<td>" + escape_xml(cell) + "</td>";
-  body_ += "</tr>\n";
+void HtmlTable::row(const std::vector<std::string>& cells) { row_of(body_, "td", cells); }
+
+void HtmlTable::row_of(std::string& part, const char* tag, const std::vector<std::string>& cells) {
+  part += "<tr>";
+  for (std::size_t column = 0; column < cells.size(); ++column) {
+    const char* css = group_starts_.contains(column) ? " class=\"first\"" : "";
+    part += fmt::format("<{0}{1}>{2}</{0}>", tag, css, escape_xml(cells[column]));
+  }
+  part += "</tr>\n";
 }
 
 std::string HtmlTable::html() const {

@@ -12,6 +12,7 @@ namespace {
 std::string charts(const Report& report) {
   std::string html = "<div class=\"charts\">\n";
   html += inline_svg(draw_chart(rmse_chart(report.evaluation)));
+  html += inline_svg(draw_chart(bias_chart(report.evaluation)));
   html += inline_svg(draw_chart(availability_chart(report.evaluation)));
   html += inline_svg(draw_cycle_times(report.run.cycle_ms));
   return html + "</div>\n";
@@ -32,7 +33,7 @@ std::string moments(const Report& report) {
 std::string write_report(const Report& report) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escape_xml(report.title) + "</title>\n<style>" + report_css() +
+         escape_xml(title_of(report)) + "</title>\n<style>" + report_css() +
          "</style>\n</head>\n<body>\n<main>\n" + report_header(report) + report_figures(report) +
          "<h2>By distance</h2>\n" + charts(report) + deviation_table(report.evaluation) +
          report_glossary(report.evaluation) + moments(report) + "</main>\n</body>\n</html>\n";

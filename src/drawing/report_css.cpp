@@ -19,22 +19,24 @@ h2{font-size:18px;margin:42px 0 12px;padding-top:14px;border-top:1px solid var(-
 .witness{display:inline-block;margin:0 0 16px;padding:3px 11px;border-radius:5px;border:1px solid var(--line);background:var(--soft);font-size:14px}
 .witness.other{background:var(--warn-soft);border-color:var(--warn);color:var(--warn)}
 .verdict{font-size:18px;line-height:1.5;margin:0 0 24px;padding-left:14px;border-left:4px solid var(--accent);max-width:62em}
-.tiles{display:grid;grid-template-columns:repeat(auto-fill,minmax(168px,1fr));gap:10px;margin:0;padding:0}
+.tiles{display:grid;grid-template-columns:repeat(auto-fill,minmax(145px,1fr));gap:10px;margin:0;padding:0}
 .tiles div{background:var(--soft);border-radius:6px;padding:9px 13px}
 .tiles dt{color:var(--muted);font-size:13px}
 .tiles dd{margin:0;font-size:18px;font-weight:600;font-variant-numeric:tabular-nums}
-.tiles small{font-weight:400;font-size:13px;color:var(--muted)}
+.tiles small{display:block;font-weight:400;font-size:13px;color:var(--muted)}
 .charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,460px),1fr));gap:22px}
 .figure{display:block;width:100%;height:auto}
 figure{margin:0 0 26px}
 figcaption{color:var(--muted);font-size:14px;max-width:72em;margin-top:2px}
 .scroll{overflow-x:auto}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:14px;min-width:60%}
-th,td{text-align:right;padding:4px 13px;white-space:nowrap}
+table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:14px;width:100%;margin-top:14px}
+th,td{text-align:right;padding:4px 10px;white-space:nowrap}
 th{font-weight:600;color:var(--muted)}
-th.group{text-align:center;color:var(--text)}
+th.group{text-align:center;color:var(--text);border-bottom:2px solid var(--line)}
+th.group:first-child{border:0}
 thead tr:last-child th{border-bottom:1px solid var(--muted)}
 tbody tr:nth-child(odd){background:var(--soft)}
+.first{padding-left:26px}
 td:first-child{font-weight:600}
 .glossary{color:var(--muted);font-size:14px;max-width:80em}
 .glossary b{color:var(--text)}

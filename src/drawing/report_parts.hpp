@@ -10,6 +10,7 @@
 namespace lanefuse {
 
 std::string report_css();
+std::string title_of(const Report& report);
 /// Title, drive, witness rule and verdict.
 std::string report_header(const Report& report);
 /// Counts and times of the run, a tile each.

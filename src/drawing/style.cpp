@@ -36,8 +36,7 @@ constexpr const char* kShapes =
     ".hair{stroke-width:1;fill:none}.thin{stroke-width:1.2;fill:none}.medium{stroke-width:1.8;fill:none}"
     ".thick{stroke-width:2.4;fill:none}.dashed{stroke-dasharray:6 4}.dotted{stroke-dasharray:2 3}"
     ".round{stroke-linejoin:round;stroke-linecap:round}"
-    ".faint{opacity:.55}.ghost{opacity:.35}.band{fill-opacity:.2}.wash{fill-opacity:.07}.hollow{fill-opacity:"
-    ".25}";
+    ".faint{opacity:.55}.band{fill-opacity:.28}.wash{fill-opacity:.07}";
 
 }  // namespace
 
@@ -53,8 +52,6 @@ std::string figure_css() {
   // Pens come with "fill:none" from their widths; inks must win over nothing, so the shapes stand first.
   return std::string(kShapes) + light + "@media(prefers-color-scheme:dark){" + dark + "}";
 }
-
-std::string series_class(std::size_t index) { return fmt::format("series-{}", index % kSeriesClasses); }
 
 SourceStyle style_of(Source source) {
   switch (source) {

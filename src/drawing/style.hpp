@@ -14,10 +14,6 @@ namespace lanefuse {
 /// Hues are told apart by people who do not see red or green, and never alone: shapes and dashes differ too.
 std::string figure_css();
 
-/// How series of a chart, and kinds in a graph, look, in the order in which they come.
-std::string series_class(std::size_t index);
-inline constexpr std::size_t kSeriesClasses = 6;
-
 enum class Marker { circle, square, triangle, diamond, cross, bar };
 
 struct SourceStyle {

@@ -131,7 +131,7 @@ void SvgWriter::end_clip() { elements_ += "</svg>\n"; }
 
 std::string standalone_svg(const Figure& figure) {
   SvgWriter background;
-  background.rectangle({0, 0, figure.width, figure.height}, "paper");
+  background.rectangle({0, 0, figure.width, figure.height}, "ink-paper");
   return open_tag(figure) + "\n<style>" + figure_css() + "</style>\n" + background.elements() +
          figure.elements + "</svg>\n";
 }

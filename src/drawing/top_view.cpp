@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kWidth = 1140;
 constexpr double kPlotHeight = 330;
-constexpr double kLeft = 52;
+constexpr double kLeft = 46;
+constexpr double kTitleLeft = 4;
 constexpr double kInner = kWidth - kLeft - 18;
 
 /// Stretches a lateral range over what is drawn within sight, but not over what flies away.
@@ -30,8 +31,7 @@ class LateralRange {
   }
   [[nodiscard]] Axis axis() const {
     const double step = nice_step(highest_ - lowest_ + 2, 10);
-    return {"lateral [m]", step * std::floor((lowest_ - 1) / step), step * std::ceil((highest_ + 1) / step),
-            step};
+    return {"lateral [m]", std::floor(lowest_ - 1), std::ceil(highest_ + 1), step};
   }
 
  private:
@@ -78,9 +78,9 @@ Figure draw_top_view(const TopView& view) {
   const Axes axes({kLeft, top, kInner, kPlotHeight}, {"ahead [m]", kViewFrom, kViewTo, 10},
                   lateral_axis(view));
   SvgWriter svg;
-  svg.text({kLeft - 7, 20}, view.title, "heading ink-text");
+  svg.text({kTitleLeft, 20}, view.title, "heading ink-text");
   svg.text({kLeft + kInner, 20}, status_line(view.estimate), "label ink-muted", Anchor::end);
-  draw_legend(svg, {kLeft - 7, 42}, kInner, legend);
+  draw_legend(svg, {kTitleLeft, 42}, kInner, legend);
   axes.draw(svg);
   svg.begin_clip(axes.frame());
   draw_lanes(svg, axes, view.estimate);

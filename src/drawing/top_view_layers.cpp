@@ -102,7 +102,7 @@ std::vector<LegendEntry> top_view_legend(const TopView& view) {
   add_line(view.debug.base_clothoid.has_value(), "base clothoid", "pen-base thick");
   add_feature_entries(entries, view.debug);
   add_line(any_on, "smoothing edge", "pen-objects thin faint");
-  add_line(any_off, "switched off", "pen-truth medium dotted");
+  add_line(any_off, "switched off", "pen-truth thick dashed");
   return entries;
 }
 
@@ -110,8 +110,10 @@ void draw_lanes(SvgWriter& svg, const Axes& axes, const LaneEstimate& estimate) 
   draw_ego_wash(svg, axes, estimate);
   for (const Boundary& boundary : estimate.boundaries) {
     draw_band(svg, axes, boundary);
-    svg.polyline(curve(axes, boundary.clothoid, kViewFrom, boundary.range_begin), "pen-boundary thin ghost");
-    svg.polyline(curve(axes, boundary.clothoid, boundary.range_end, kViewTo), "pen-boundary thin ghost");
+    svg.polyline(curve(axes, boundary.clothoid, kViewFrom, boundary.range_begin),
+                 "pen-boundary thin dotted faint");
+    svg.polyline(curve(axes, boundary.clothoid, boundary.range_end, kViewTo),
+                 "pen-boundary thin dotted faint");
     svg.polyline(curve(axes, boundary.clothoid, boundary.range_begin, std::min(boundary.range_end, kViewTo)),
                  "pen-boundary thick");
   }
@@ -125,7 +127,7 @@ void draw_truth(SvgWriter& svg, const Axes& axes, const TopView& view) {
 void draw_switches(SvgWriter& svg, const Axes& axes, const DebugView& debug) {
   for (const SwitchState& edge : debug.switches) {
     svg.line(axes.at(edge.from.x(), edge.from.y()), axes.at(edge.to.x(), edge.to.y()),
-             is_off(edge) ? "pen-truth medium dotted" : "pen-objects thin faint");
+             is_off(edge) ? "pen-truth thick dashed" : "pen-objects thin faint");
   }
 }
 
@@ -136,7 +138,7 @@ void draw_base_clothoid(SvgWriter& svg, const Axes& axes, const DebugView& debug
 void draw_features(SvgWriter& svg, const Axes& axes, const DebugView& debug) {
   for (const FusedFeature& fused : debug.features) {
     const SourceStyle style = style_of(fused.feature.source);
-    const double size = fused.outlier || fused.in_base_fit ? 2.6 : 1.6;
+    const double size = fused.outlier || fused.in_base_fit ? 2.9 : 1.7;
     const Pixel at = axes.at(fused.feature.x, fused.feature.y);
     draw_marker(svg, style.marker, at, size, fused.outlier ? "outlier" : style.css);
   }
