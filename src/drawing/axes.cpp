@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/axes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,7 +10,8 @@ namespace lanefuse {
 namespace {
 
 std::string tick_label(double value, double step) {
-  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  int decimals = 0;
+  for (double left = step; decimals < 6 && std::abs(left - std::round(left)) > 1e-6; left *= 10) ++decimals;
   return fmt::format("{:.{}f}", value == 0 ? 0.0 : value, decimals);
 }
 

@@ -18,7 +18,11 @@ std::string metres(double value) {
 
 std::string percent(double share) {
   if (!std::isfinite(share)) return "-";
-  return share == 1 ? "100 %" : fmt::format("{:.1f} %", 100 * share);
+  if (share == 1) return "100 %";
+  // Rounding must not turn nearly into all, nor hardly any into none.
+  if (share < 1 && share >= 0.9995) return "> 99.9 %";
+  if (share > 0 && share < 0.0005) return "< 0.1 %";
+  return fmt::format("{:.1f} %", 100 * share);
 }
 
 std::string grouped(std::uint64_t count) {
