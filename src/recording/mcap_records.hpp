@@ -61,4 +61,74 @@ struct Metadata {
   StringMap metadata;
 };
 
+/// Messages and their schemas and channels, packed: `records` as stored in the file.
+struct Chunk {
+  std::uint64_t message_start_time = 0;
+  std::uint64_t message_end_time = 0;
+  std::uint64_t uncompressed_size = 0;
+  std::uint32_t uncompressed_crc = 0;  ///< 0: absent
+  std::string compression;             ///< "", "lz4" or "zstd"
+  Bytes records;
+};
+
+/// Where the messages of one channel lie in the chunk before it.
+struct MessageIndex {
+  struct Entry {
+    std::uint64_t log_time = 0;
+    std::uint64_t offset = 0;  ///< in the uncompressed records
+  };
+  std::uint16_t channel_id = 0;
+  std::vector<Entry> records;
+};
+
+struct ChunkIndex {
+  std::uint64_t message_start_time = 0;
+  std::uint64_t message_end_time = 0;
+  std::uint64_t chunk_start_offset = 0;
+  std::uint64_t chunk_length = 0;  ///< of the whole record, opcode and length included
+  std::map<std::uint16_t, std::uint64_t> message_index_offsets;
+  std::uint64_t message_index_length = 0;
+  std::string compression;
+  std::uint64_t compressed_size = 0;
+  std::uint64_t uncompressed_size = 0;
+};
+
+struct AttachmentIndex {
+  std::uint64_t offset = 0;
+  std::uint64_t length = 0;  ///< of the whole record
+  std::uint64_t log_time = 0;
+  std::uint64_t create_time = 0;
+  std::uint64_t data_size = 0;
+  std::string name;
+  std::string media_type;
+};
+
+struct MetadataIndex {
+  std::uint64_t offset = 0;
+  std::uint64_t length = 0;
+  std::string name;
+};
+
+struct Statistics {
+  std::uint64_t message_count = 0;
+  std::uint16_t schema_count = 0;
+  std::uint32_t channel_count = 0;
+  std::uint32_t attachment_count = 0;
+  std::uint32_t metadata_count = 0;
+  std::uint32_t chunk_count = 0;
+  std::uint64_t message_start_time = 0;
+  std::uint64_t message_end_time = 0;
+  std::map<std::uint16_t, std::uint64_t> channel_message_counts;
+};
+
+struct SummaryOffset {
+  std::uint8_t group_opcode = 0;
+  std::uint64_t group_start = 0;
+  std::uint64_t group_length = 0;
+};
+
+struct DataEnd {
+  std::uint32_t data_section_crc = 0;  ///< 0: absent
+};
+
 }  // namespace lanefuse::mcap
