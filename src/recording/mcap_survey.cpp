@@ -55,7 +55,10 @@ class Surveyor {
       case Opcode::footer:
         return search(offset, "a footer before the end of the file");
       case Opcode::message:
-        take_message(*head);
+        // After the data section there are none: it is some altered record of the summary.
+        if (!survey_.data_end) {
+          take_message(*head);
+        }
         break;
       case Opcode::attachment:
         take_attachment(*head);
