@@ -72,6 +72,40 @@ TEST(McapRoundTrip, ChunksEndAtSizeAndDuration) {
   EXPECT_EQ(chunks({.chunk_duration = 9'000'000}), 10);
 }
 
+TEST(McapRoundTrip, WhatIsAllZerosCanBeReadAgain) {
+  // Packed a million zeros become so small that the reader's limit of compression would refuse them.
+  const TemporaryFolder folder;
+  Writer writer(folder / "a.mcap");
+  writer.write(writer.add_channel("/a", "text", 0), 1, 1, Bytes(1'000'000));
+  writer.close();
+  EXPECT_EQ(read_all(folder / "a.mcap").at(0).data, Bytes(1'000'000));
+}
+
+TEST(McapRoundTrip, MoreOverlapThanFitsInMemoryIsMergedAllTheSame) {
+  // 20 chunks of 16 MB unpacked, all with messages at 0 and 1000: more than the reader keeps at once.
+  const TemporaryFolder folder;
+  Writer writer(folder / "a.mcap", {.chunk_size = 17'000'000});
+  const auto channel = writer.add_channel("/a", "text", 0);
+  Bytes data(8'000'000);
+  for (std::size_t i = 0; i < data.size(); i += 1000) {
+    data[i] = static_cast<std::byte>(i / 1000);
+  }
+  for (int i = 0; i < 20; ++i) {
+    writer.write(channel, 0, 0, data);
+    writer.write(channel, 1000, 1000, data);
+  }
+  writer.close();
+  Reader reader(folder / "a.mcap");
+  Message message;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    ASSERT_TRUE(reader.next(message));
+    EXPECT_EQ(message.log_time, i < 20 ? 0U : 1000U);
+    EXPECT_EQ(message.sequence, i < 20 ? 2 * i : 2 * (i - 20) + 1);
+  }
+  EXPECT_FALSE(reader.next(message));
+  EXPECT_FALSE(reader.damage().any) << reader.damage().first_place;
+}
+
 TEST(McapRoundTrip, SelectGivesOnlyTheChannelsAskedFor) {
   const TemporaryFolder folder;
   write_sample(folder / "a.mcap", 40, {.chunk_size = 200});
