@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ using StringMap = std::map<std::string, std::string>;
 struct Header {
   std::string profile;
   std::string library;
+
+  bool operator==(const Header&) const = default;
 };
 
 struct Footer {
@@ -30,6 +33,8 @@ struct Schema {
   std::string name;
   std::string encoding;
   Bytes data;
+
+  bool operator==(const Schema&) const = default;
 };
 
 struct Channel {
@@ -38,6 +43,8 @@ struct Channel {
   std::string topic;
   std::string message_encoding;
   StringMap metadata;
+
+  bool operator==(const Channel&) const = default;
 };
 
 struct Message {
@@ -46,6 +53,8 @@ struct Message {
   std::uint64_t log_time = 0;      ///< [ns]
   std::uint64_t publish_time = 0;  ///< [ns]
   Bytes data;
+
+  bool operator==(const Message&) const = default;
 };
 
 struct Attachment {
@@ -54,11 +63,15 @@ struct Attachment {
   std::string name;
   std::string media_type;
   Bytes data;
+
+  bool operator==(const Attachment&) const = default;
 };
 
 struct Metadata {
   std::string name;
   StringMap metadata;
+
+  bool operator==(const Metadata&) const = default;
 };
 
 /// Messages and their schemas and channels, packed: `records` as stored in the file.
@@ -68,7 +81,7 @@ struct Chunk {
   std::uint64_t uncompressed_size = 0;
   std::uint32_t uncompressed_crc = 0;  ///< 0: absent
   std::string compression;             ///< "", "lz4" or "zstd"
-  Bytes records;
+  std::span<const std::byte> records;  ///< as stored; a view of the bytes the chunk was parsed from
 };
 
 /// Where the messages of one channel lie in the chunk before it.
