@@ -13,7 +13,6 @@ struct ReadReport {
   std::string first_problem;           ///< what and where, of the first thing lost; empty if nothing was
   std::uint64_t chunks_lost = 0;       ///< chunks that failed their CRC or were cut off
   std::uint64_t records_lost = 0;      ///< records outside chunks
-  std::uint64_t messages_lost = 0;     ///< messages in these chunks, as far as the file's index says
   std::uint64_t messages_refused = 0;  ///< sound by their CRC, but not what their schema says
   std::uint64_t bytes_skipped = 0;     ///< stretches without a readable record
 

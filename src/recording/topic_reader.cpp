@@ -36,7 +36,6 @@ ReadReport TopicReader::report() const {
   report.first_problem = damage.any ? damage.first_place : first_refusal_;
   report.chunks_lost = damage.chunks_lost;
   report.records_lost = damage.records_lost;
-  report.messages_lost = damage.messages_lost;
   report.messages_refused = refused_;
   report.bytes_skipped = damage.bytes_skipped;
   return report;

@@ -12,7 +12,7 @@
 
 /// All fields of the plain structs as tuples, so that tests can compare what came back with what went in, bit
 /// for bit.
-namespace lanefuse::testing {
+namespace lanefuse {
 
 template <int N, int M>
 std::vector<double> fields(const Eigen::Matrix<double, N, M>& matrix) {
@@ -100,4 +100,4 @@ inline auto fields(const DebugView& v) {
                          v.graph.poses, v.graph.features, v.graph.edges);
 }
 
-}  // namespace lanefuse::testing
+}  // namespace lanefuse

@@ -16,7 +16,6 @@
 namespace lanefuse {
 namespace {
 
-using testing::fields;
 
 mcap::Bytes bytes_of(const v1::LaneEstimate& message) {
   mcap::Bytes bytes(message.ByteSizeLong());

@@ -15,7 +15,6 @@
 namespace lanefuse {
 namespace {
 
-using testing::fields;
 using testing::number;
 
 /// What comes back of a measurement that is one message.

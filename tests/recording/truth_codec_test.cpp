@@ -17,7 +17,6 @@ namespace lanefuse {
 namespace {
 
 using testing::below;
-using testing::fields;
 
 constexpr double kRounding = 1e-9;
 
