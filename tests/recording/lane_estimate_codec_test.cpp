@@ -16,7 +16,6 @@
 namespace lanefuse {
 namespace {
 
-
 mcap::Bytes bytes_of(const v1::LaneEstimate& message) {
   mcap::Bytes bytes(message.ByteSizeLong());
   EXPECT_TRUE(message.SerializeToArray(bytes.data(), static_cast<int>(bytes.size())));

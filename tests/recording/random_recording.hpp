@@ -55,7 +55,7 @@ inline Time random_time() {
 inline Stamp random_stamp() { return {random_time(), random_time(), *rc::gen::arbitrary<std::uint32_t>()}; }
 inline std::uint64_t random_id() { return *rc::gen::arbitrary<std::uint64_t>(); }
 inline std::int64_t random_track() {
-  return *rc::gen::element<std::int64_t>(kNoTrack, -2, 0, 1, std::int64_t{1} << 40);
+  return *rc::gen::elementOf(std::vector<std::int64_t>{kNoTrack, -2, 0, 1, std::int64_t{1} << 40});
 }
 inline Clothoid random_clothoid() { return {number(), number(), number(), number()}; }
 inline MarkingEvidence random_marking() { return {any_of<MarkingType>(5), any_of<MarkingColour>(3)}; }

@@ -22,7 +22,7 @@ RC_GTEST_PROP(RigCodec, RigComesBackExactly, ()) {
   for (std::uint32_t id = 0; id < testing::below<std::uint32_t>(6); ++id) {
     rig.sensors.push_back({id,
                            testing::any_of<SensorKind>(7),
-                           *rc::gen::string<std::string>(),
+                           *rc::gen::container<std::string>(rc::gen::inRange(' ', '~')),
                            {number(), number(), number(), number(), number(), number()}});
   }
   RC_ASSERT(decode_rig(encode_rig(rig)) == rig);
