@@ -111,5 +111,27 @@ TEST_F(DriveRefusal, MessageThatIsNoneIsLeftOutAndCounted) {
   EXPECT_THAT(reader.report().first_problem, HasSubstr("/in/objects"));
 }
 
+TEST_F(DriveRefusal, CutFileIsRefusedOrGivesWhatCameBeforeTheCut) {
+  const auto bytes = testing::read_file(folder_ / "sound.mcap");
+  const auto whole = testing::read_drive(folder_ / "sound.mcap");
+  int salvaged = 0;
+  for (std::size_t size = 1; size < bytes.size(); size += 97) {
+    testing::write_file(folder_ / "cut.mcap", std::span(bytes).first(size));
+    try {
+      DriveReader reader(folder_ / "cut.mcap");
+      std::size_t count = 0;
+      for (Measurement measurement; reader.next(measurement); ++count) {
+        ASSERT_LT(count, whole.size());
+        EXPECT_EQ(stamp_of(measurement), stamp_of(whole[count]));
+      }
+      EXPECT_FALSE(reader.report().complete()) << "cut at byte " << size;
+      salvaged += count > 0;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), Error::Kind::input);
+    }
+  }
+  EXPECT_GT(salvaged, 0);
+}
+
 }  // namespace
 }  // namespace lanefuse
