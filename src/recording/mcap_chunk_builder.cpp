@@ -7,6 +7,7 @@
 
 #include "recording/mcap_crc32.hpp"
 #include "recording/mcap_encode.hpp"
+#include "recording/mcap_format.hpp"
 
 namespace lanefuse::mcap {
 
@@ -29,7 +30,12 @@ std::uint64_t ChunkBuilder::span_with(std::uint64_t log_time) const {
 
 ChunkIndex ChunkBuilder::finish(Compression compression, std::uint64_t offset, Bytes& out) {
   assert(!empty());
-  const Bytes packed = compress(compression, records_);
+  Bytes packed = compress(compression, records_);
+  if (records_.size() / kMaxCompressionRatio > packed.size()) {
+    // A reader would take it for an attack on its memory.
+    compression = Compression::none;
+    packed = records_;
+  }
   const std::size_t begin = out.size();
   append(out,
          Chunk{start_time_, end_time_, records_.size(), crc32(records_), to_string(compression), packed});

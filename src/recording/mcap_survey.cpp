@@ -34,6 +34,7 @@ class Surveyor {
     if (!survey_.data_end) {
       survey_.damage.note(file_.size(), "the data section has no end: the file is cut short or altered");
     }
+    drop_unproven_runs();
     descriptions_.check_schemas();
     return std::move(survey_);
   }
@@ -54,7 +55,10 @@ class Surveyor {
       case Opcode::footer:
         return search(offset, "a footer before the end of the file");
       case Opcode::message:
-        take_message(*head);
+        // After the data section there are none: it is some altered record of the summary.
+        if (!survey_.data_end) {
+          take_message(*head);
+        }
         break;
       case Opcode::attachment:
         take_attachment(*head);
@@ -84,10 +88,12 @@ class Surveyor {
       survey_.damage.note(block.offset, "there is no chunk of the size that the index says");
     }
     add(block);
+    has_chunks_ = true;
     return end;
   }
 
   std::uint64_t scan_chunk(const RecordHead& head) {
+    has_chunks_ = true;
     const LoadedBlock loaded = load_chunk(file_, head);
     if (loaded.problem.empty()) {
       take_records(loaded.records, head);
@@ -193,6 +199,24 @@ class Surveyor {
     ++survey_.damage.chunks_lost;
   }
 
+  // Where messages are in chunks, others outside may be some other record whose opcode was altered: they
+  // count only if the data section's CRC covers them.
+  void drop_unproven_runs() {
+    const auto is_run = [](const Block& block) { return !block.is_chunk; };
+    const auto run = std::find_if(survey_.blocks.begin(), survey_.blocks.end(), is_run);
+    if (!has_chunks_ || run == survey_.blocks.end() || is_data_section_sound()) {
+      return;
+    }
+    survey_.damage.note(run->offset,
+                        "messages outside chunks in a file with chunks, and no CRC that covers them");
+    survey_.damage.records_lost += std::erase_if(survey_.blocks, is_run);
+  }
+
+  bool is_data_section_sound() const {
+    const auto& end = survey_.data_end;
+    return end && (end->crc == 0 || file_.crc(0, end->offset) == end->crc);
+  }
+
   // The next place to go on after damage at `offset`.
   std::uint64_t search(std::uint64_t offset, const std::string& problem) {
     survey_.damage.note(offset, problem);
@@ -210,6 +234,7 @@ class Surveyor {
   Survey survey_;
   Descriptions descriptions_;
   std::optional<Summary> summary_;
+  bool has_chunks_ = false;
 };
 
 }  // namespace

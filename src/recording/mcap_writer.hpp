@@ -21,7 +21,7 @@ struct WriterConfig {
   std::size_t chunk_size = std::size_t{1} << 20;
   /// ... or spans this much log time [ns]: what a killed program loses.
   std::uint64_t chunk_duration = 1'000'000'000;
-  std::string profile;
+  std::string profile{};
   std::string library = "lanefuse";
 };
 

@@ -44,6 +44,8 @@ inline std::vector<std::byte> read_file(const std::filesystem::path& path) {
 }
 
 inline void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  // Anew: some file systems wait for the disk when a file is cut to nothing and written again.
+  std::filesystem::remove(path);
   std::ofstream out(path, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
