@@ -4,6 +4,8 @@
 
 #include <cassert>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,15 +39,15 @@ class Writer::Session {
     assert(summary_.schemas.size() < std::numeric_limits<std::uint16_t>::max());
     schema.id = static_cast<std::uint16_t>(summary_.schemas.size() + 1);
     summary_.schemas.push_back(std::move(schema));
-    schema_written_.push_back(false);
     return summary_.schemas.back().id;
   }
 
-  std::uint16_t add_channel(Channel channel) {
+  std::uint16_t add_channel(Channel channel, int group) {
     assert(channel.schema_id <= summary_.schemas.size());
     assert(summary_.channels.size() <= std::numeric_limits<std::uint16_t>::max());
     channel.id = static_cast<std::uint16_t>(summary_.channels.size());
     summary_.channels.push_back(std::move(channel));
+    groups_.push_back(group);
     channel_written_.push_back(false);
     return summary_.channels.back().id;
   }
@@ -59,13 +61,14 @@ class Writer::Session {
   void write(const Message& head, std::span<const std::byte> data) {
     assert(head.channel_id < summary_.channels.size());
     check_size(data.size(), "message on " + summary_.channels[head.channel_id].topic);
-    const bool full = chunk_.size() + data.size() > config_.chunk_size ||
-                      chunk_.span_with(head.log_time) > config_.chunk_duration;
-    if (full && !chunk_.empty()) {
-      finish_chunk();
+    ChunkBuilder& chunk = chunks_[groups_[head.channel_id]];
+    const bool full = chunk.size() + data.size() > config_.chunk_size ||
+                      chunk.span_with(head.log_time) > config_.chunk_duration;
+    if (full && !chunk.empty()) {
+      finish(chunk);
     }
     introduce(head.channel_id);
-    chunk_.add(head, data);
+    chunk.add(head, data);
     summary_.count(head);
   }
 
@@ -88,7 +91,9 @@ class Writer::Session {
 
   void close() {
     introduce_all();
-    finish_chunk();
+    for (auto& [group, chunk] : chunks_) {
+      finish(chunk);
+    }
     append(pending_, DataEnd{file_.crc()});
     flush();
     summary_.statistics.schema_count = static_cast<std::uint16_t>(summary_.schemas.size());
@@ -116,17 +121,18 @@ class Writer::Session {
     }
   }
 
-  // Schema and channel come in the chunk of the first message that needs them, before it.
+  // Schema and channel come in the chunk of the first message that needs them, before it. A schema comes in
+  // every group that needs it, for nobody knows whose chunk will be written first.
   void introduce(std::uint16_t channel_id) {
     if (channel_written_[channel_id]) {
       return;
     }
     const Channel& channel = summary_.channels[channel_id];
-    if (channel.schema_id != 0 && !schema_written_[channel.schema_id - 1U]) {
-      chunk_.add(summary_.schemas[channel.schema_id - 1U]);
-      schema_written_[channel.schema_id - 1U] = true;
+    const int group = groups_[channel_id];
+    if (channel.schema_id != 0 && schemas_written_.emplace(group, channel.schema_id).second) {
+      chunks_[group].add(summary_.schemas[channel.schema_id - 1U]);
     }
-    chunk_.add(channel);
+    chunks_[group].add(channel);
     channel_written_[channel_id] = true;
   }
 
@@ -136,9 +142,9 @@ class Writer::Session {
     }
   }
 
-  void finish_chunk() {
-    if (!chunk_.empty()) {
-      summary_.chunks.push_back(chunk_.finish(config_.compression, file_.size(), pending_));
+  void finish(ChunkBuilder& chunk) {
+    if (!chunk.empty()) {
+      summary_.chunks.push_back(chunk.finish(config_.compression, file_.size(), pending_));
       flush();
     }
   }
@@ -150,10 +156,11 @@ class Writer::Session {
 
   WriterConfig config_;
   OutputFile file_;
-  ChunkBuilder chunk_;
+  std::map<int, ChunkBuilder> chunks_;  // by group
   Bytes pending_;
   WrittenSummary summary_;
-  std::vector<bool> schema_written_;
+  std::vector<int> groups_;                                  // of the channels
+  std::set<std::pair<int, std::uint16_t>> schemas_written_;  // by group
   std::vector<bool> channel_written_;
 };
 
@@ -169,8 +176,8 @@ std::uint16_t Writer::add_schema(const std::string& name, const std::string& enc
 }
 
 std::uint16_t Writer::add_channel(const std::string& topic, const std::string& message_encoding,
-                                  std::uint16_t schema_id, StringMap metadata) {
-  return session_->add_channel({0, schema_id, topic, message_encoding, std::move(metadata)});
+                                  std::uint16_t schema_id, StringMap metadata, int group) {
+  return session_->add_channel({0, schema_id, topic, message_encoding, std::move(metadata)}, group);
 }
 
 void Writer::write(std::uint16_t channel_id, std::uint64_t log_time, std::uint64_t publish_time,

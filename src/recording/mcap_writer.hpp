@@ -46,8 +46,10 @@ class Writer {
                            std::span<const std::byte> data);
 
   /// The id to give to write(); `schema_id` is 0 for a channel without a schema. At most 65536 channels.
+  /// Messages of channels of different groups never share a chunk, so that readers of one group leave the
+  /// chunks of the others closed.
   std::uint16_t add_channel(const std::string& topic, const std::string& message_encoding,
-                            std::uint16_t schema_id, StringMap metadata = {});
+                            std::uint16_t schema_id, StringMap metadata = {}, int group = 0);
 
   /// Times in nanoseconds. The sequence number counts the messages of the channel, from 0.
   void write(std::uint16_t channel_id, std::uint64_t log_time, std::uint64_t publish_time,
