@@ -49,6 +49,12 @@ PerceptionConfig load_config(const std::filesystem::path& file, const Perception
 /// The same from text; `name` stands for the file in errors.
 PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults = {});
 
+/// Sets one key, as "fusion.width_edges=false" from a command line would. Throws a configuration Error as load_config().
+void set_key(PerceptionConfig& config, const std::string& assignment);
+
+/// Names a configuration: equal fingerprints, equal settings.
+std::string fingerprint(const PerceptionConfig& config);
+
 /// The configuration as YAML that load_config() reads back, each key with effect, unit and range as its comment.
 std::string to_yaml(const PerceptionConfig& config);
 

@@ -95,6 +95,7 @@ mcap::Bytes encode_lane_estimate(const LaneEstimate& estimate) {
   message.set_reason(static_cast<v1::StatusReason>(estimate.reason));
   message.set_speed(estimate.speed);
   message.set_yaw_rate(estimate.yaw_rate);
+  message.set_witnesses(estimate.witnesses);
   for (const Boundary& boundary : estimate.boundaries) put(boundary, *message.add_boundaries());
   for (const Lane& lane : estimate.lanes) put(lane, *message.add_lanes());
   for (const SourceStatus status : estimate.sources)
@@ -113,6 +114,7 @@ LaneEstimate decode_lane_estimate(std::span<const std::byte> bytes, Time time) {
   take_status(message, estimate);
   estimate.speed = finite(message.speed(), message.GetTypeName());
   estimate.yaw_rate = finite(message.yaw_rate(), message.GetTypeName());
+  estimate.witnesses = message.witnesses();
   for (const v1::Boundary& boundary : message.boundaries()) estimate.boundaries.push_back(take(boundary));
   for (const v1::Lane& lane : message.lanes()) estimate.lanes.push_back(take(lane));
   estimate.inputs = {message.inputs().used(), message.inputs().rejected(), message.inputs().dropped()};
