@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
-
 #include <lanefuse/core/clothoid.hpp>
 #include <lanefuse/core/pose2.hpp>
 
