@@ -49,10 +49,18 @@ function(lanefuse_library name)
   list(TRANSFORM ARG_DEPENDS PREPEND lanefuse_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} Eigen3::Eigen fmt::fmt ${ARG_LINKS}
                         PRIVATE $<BUILD_INTERFACE:lanefuse_options>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   lanefuse_precompile(${target})
   set_property(GLOBAL APPEND PROPERTY LANEFUSE_LIBRARIES ${name})
 endfunction()
+
+# lanefuse::public_headers lets code in the build tree say <lanefuse/core/pose2.hpp>, as users of an installation do.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/include/public)
+file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/include/public/lanefuse SYMBOLIC)
+add_library(lanefuse_public_headers INTERFACE)
+add_library(lanefuse::public_headers ALIAS lanefuse_public_headers)
+target_include_directories(lanefuse_public_headers INTERFACE ${CMAKE_BINARY_DIR}/include/public)
 
 # Eigen costs seconds a translation unit: precompile it once, in core, and share it.
 function(lanefuse_precompile target)

@@ -103,7 +103,7 @@ ArrayLog read_array_log(const ArrayLogFiles& files, std::vector<std::string>& no
       continue;
     }
     earliest = arrays.seconds(row);
-    times.push_back(Time{from_seconds(earliest)});
+    times.emplace_back(from_seconds(earliest));
     arrays.append_row(row, values);
   }
   if (first_bad) {

@@ -76,7 +76,7 @@ HeaderSpan find_header(std::string_view bytes, const std::string& place) {
   if (!bytes.starts_with(kMagic))
     throw input_error(place, "is no NumPy array: it does not begin with \\x93NUMPY");
   if (bytes.size() < kMagic.size() + 2) throw input_error(place, "ends inside its version");
-  const int version = bytes[kMagic.size()];
+  const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
   if (version != 1 && version != 2)
     throw input_error(place, fmt::format("format version {} is unknown", version));
   const std::size_t length_at = kMagic.size() + 2;

@@ -109,7 +109,7 @@ class HeaderReader {
     if (quote != '\'' && quote != '"') fail("a quoted word is missing");
     const std::size_t end = text_.find(quote, ++at_);
     if (end == std::string_view::npos) fail("a quotation does not end");
-    const std::string word(text_.substr(at_, end - at_));
+    std::string word(text_.substr(at_, end - at_));
     at_ = end + 1;
     return word;
   }
