@@ -97,7 +97,9 @@ bool PoseSystem::solve_sparse(NormalEquations& equations) {
 }
 
 bool PoseSystem::all_determined(const NormalEquations& equations) const {
-  const auto& factor = factor_.matrixL().nestedExpression();
+  const auto lower = factor_.matrixL();
+  const auto& factor = lower.nestedExpression();
+  const Eigen::VectorXd pivots = factor_.vectorD();
   const auto diagonal = equations.diagonal.tail(matrix_.cols());
   for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
     const Eigen::Index first = 3 * turn_of_pose_[pose];
@@ -105,8 +107,7 @@ bool PoseSystem::all_determined(const NormalEquations& equations) const {
     own(1, 0) = factor.coeff(first + 1, first);
     own(2, 0) = factor.coeff(first + 2, first);
     own(2, 1) = factor.coeff(first + 2, first + 1);
-    const Eigen::Matrix3d remaining =
-        own * factor_.vectorD().segment<3>(first).asDiagonal() * own.transpose();
+    const Eigen::Matrix3d remaining = own * pivots.segment<3>(first).asDiagonal() * own.transpose();
     if (!is_determined(remaining, diagonal.segment<3>(3 * pose))) return false;
   }
   return true;
