@@ -87,8 +87,8 @@ TEST(McapRoundTrip, MoreOverlapThanFitsInMemoryIsMergedAllTheSame) {
   Writer writer(folder / "a.mcap", {.chunk_size = 17'000'000});
   const auto channel = writer.add_channel("/a", "text", 0);
   Bytes data(8'000'000);
-  for (std::size_t i = 0; i < data.size(); i += 1000) {
-    data[i] = static_cast<std::byte>(i / 1000);
+  for (std::size_t i = 0; i < data.size(); i += 100) {
+    data[i] = static_cast<std::byte>(i / 100);
   }
   for (int i = 0; i < 20; ++i) {
     writer.write(channel, 0, 0, data);
