@@ -23,11 +23,21 @@ struct ItemCount {
 
 std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
 
+/// What a measurement tells, as a number: messages of one sensor and one stamp are only the same if they tell the same.
+/// A bus gives speed, wheel speeds and yaw rate in messages of their own.
+std::size_t kind_of(const Measurement& measurement) {
+  std::size_t kind = measurement.index() * 8;
+  if (const auto* motion = std::get_if<VehicleMotion>(&measurement)) {
+    kind += (motion->speed ? 1 : 0) + (motion->yaw_rate ? 2 : 0) + (motion->wheel_speeds ? 4 : 0);
+  }
+  return kind;
+}
+
 /// Order of a cycle's measurements, so that it does not matter in which order they came.
 bool measured_before(const Measurement& a, const Measurement& b) {
   const auto key = [](const Measurement& m) {
     const Stamp& stamp = stamp_of(m);
-    return std::tuple(stamp.measured_at, m.index(), stamp.sensor_id);
+    return std::tuple(stamp.measured_at, kind_of(m), stamp.sensor_id);
   };
   return key(a) < key(b);
 }
@@ -103,7 +113,7 @@ void MultiLanePerception::add(Measurement measurement) {
 
 bool MultiLanePerception::seen_before(const Measurement& measurement) {
   const Stamp& stamp = stamp_of(measurement);
-  std::set<Time>& seen = stamps_[{measurement.index(), stamp.sensor_id}];
+  std::set<Time>& seen = stamps_[{kind_of(measurement), stamp.sensor_id}];
   seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - kStampMemory));
   return !seen.insert(stamp.measured_at).second;
 }
