@@ -37,7 +37,7 @@ class MultiLanePerception {
   /// the next cycle's inputs.
   void add(Measurement measurement);
 
-  /// Runs the next cycle if it is due before `now`, on all that had been received by then. Null when none is due; the
+  /// Runs the next cycle if it was due before `now`, on all that had been received by its time. Null when none is due; the
   /// result is valid until the next call.
   const LaneEstimate* advance(Time now);
 
