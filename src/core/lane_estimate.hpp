@@ -84,7 +84,8 @@ struct LaneEstimate {
   std::vector<Boundary> boundaries;  ///< sorted by decreasing lateral offset
   std::vector<Lane> lanes;           ///< from left to right
   std::array<SourceStatus, kSourceCount> sources{};
-  InputAccounting inputs;  ///< of this cycle
+  InputAccounting inputs;       ///< of this cycle
+  std::uint32_t witnesses = 0;  ///< vehicles ahead that bore witness of their lanes in this cycle
 };
 
 /// The lane that the origin of the vehicle frame is in, or null. Derived, never stored: lanes keep their identity while

@@ -107,6 +107,10 @@ void FeatureFusion::remember(VertexId id, const Feature& feature, const Attachme
   vertex.time = std::max(vertex.time, at.set.measured_at);
   auto& hits = vertex.hits[static_cast<std::size_t>(at.set.source)];
   if (hits < 0xffff) ++hits;
+  if (feature.track_id != kNoTrack) {
+    vertex.track_id = feature.track_id;
+    vertex.side = feature.side;
+  }
   if (feature.marking.type != MarkingType::unknown) vertex.marking.type = feature.marking.type;
   if (feature.marking.colour != MarkingColour::unknown) vertex.marking.colour = feature.marking.colour;
 }
@@ -159,6 +163,8 @@ void FeatureFusion::read_out() {
     const auto most = std::max_element(vertex.hits.begin(), vertex.hits.end());
     feature.source = static_cast<Source>(most - vertex.hits.begin());
     feature.marking = vertex.marking;
+    feature.track_id = vertex.track_id;
+    feature.side = vertex.side;
     fused_.push_back(feature);
   }
 }

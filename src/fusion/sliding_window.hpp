@@ -31,6 +31,8 @@ struct WindowVertex {
   Pose2 odometry_from_vehicle;   ///< a keyframe's dead-reckoned pose
   double confidence = 0;         ///< of a feature
   MarkingEvidence marking;       ///< of a feature
+  std::int64_t track_id = kNoTrack;  ///< the last tracked thing that witnessed a feature
+  Side side = Side::none;            ///< and on which side of it
   std::array<std::uint16_t, kSourceCount> hits{};  ///< measurements of a feature, a source
 };
 

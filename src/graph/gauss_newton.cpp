@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "graph/edge_terms.hpp"
@@ -43,9 +44,11 @@ class SchurSolver final : public GraphSolver {
  private:
   void prepare(const PoseGraph& graph, const SolverConfig& config);
   SolveStatus iterate(const SolverConfig& config, SolveResult& result);
-  bool find_step();
+  std::optional<SolveStatus> advance(double tolerance, double& best_chi2);
+  std::optional<SolveStatus> find_step();
   void take_step();
   void return_to_best();
+  void back_off();
   [[nodiscard]] bool step_is_negligible() const;
   void write_back(PoseGraph& graph) const;
 
@@ -56,6 +59,7 @@ class SchurSolver final : public GraphSolver {
   PoseSystem poses_;
   std::vector<Placed> places_;  ///< of all vertices
   std::vector<Placed> best_places_;
+  int steps_above_ = 0;  ///< in a row that ended above the best place
   Damping damping_;
 };
 
@@ -76,6 +80,7 @@ void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
   places_.clear();
   for (const Vertex& v : graph.vertices) places_.push_back(placed(v.pose.x, v.pose.y, v.pose.heading));
   best_places_ = places_;
+  steps_above_ = 0;
   damping_ = {};
   terms_.prepare(graph, config.switch_form);
   order_.compute(graph);
@@ -87,47 +92,45 @@ void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
 /// Leaves places_ at the best place found, evaluated last.
 SolveStatus SchurSolver::iterate(const SolverConfig& config, SolveResult& result) {
   if (structure_.blocks() == 0) return SolveStatus::converged;
-  int above = 0;  // steps in a row that ended above the best place
   while (result.iterations < config.max_iterations) {
     ++result.iterations;
-    const double best = result.final_chi2;
-    const bool from_best = above == 0;
-    if (!find_step()) {
-      if (from_best) return SolveStatus::singular;
-    } else if (!equations_.rhs.allFinite()) {
-      return SolveStatus::not_finite;
-    } else {
-      take_step();
-      const double chi2 = terms_.evaluate(places_);
-      const bool settled =
-          from_best && damping_.value() == 0 &&
-          (std::abs(chi2 - best) <= config.relative_tolerance * best || step_is_negligible());
-      if (chi2 <= best) {
-        best_places_ = places_;
-        result.final_chi2 = chi2;
-        above = 0;
-        damping_.on_success();
-      }
-      if (settled) {
-        if (chi2 > best) return_to_best();
-        return SolveStatus::converged;
-      }
-      if (chi2 <= best) continue;
-      if (std::isfinite(chi2) && damping_.value() == 0 && ++above <= kPatience) continue;
-    }
-    return_to_best();
-    above = 0;
-    damping_.on_failure();
+    if (const auto end = advance(config.relative_tolerance, result.final_chi2)) return *end;
   }
-  if (above > 0) return_to_best();
+  if (steps_above_ > 0) return_to_best();
   return SolveStatus::iterations_exhausted;
 }
 
-bool SchurSolver::find_step() {
+/// One iteration, which lowers `best_chi2` if it can; a status if it is the last.
+std::optional<SolveStatus> SchurSolver::advance(double tolerance, double& best_chi2) {
+  const bool plain = steps_above_ == 0 && damping_.value() == 0;
+  if (const auto fault = find_step()) {
+    if (steps_above_ == 0) return fault;
+    back_off();
+    return std::nullopt;
+  }
+  take_step();
+  const double chi2 = terms_.evaluate(places_);
+  const bool settled = plain && (std::abs(chi2 - best_chi2) <= tolerance * best_chi2 || step_is_negligible());
+  if (chi2 <= best_chi2) {
+    best_chi2 = chi2;
+    best_places_ = places_;
+    steps_above_ = 0;
+    damping_.on_success();
+  } else if (settled) {
+    return_to_best();
+  } else if (!std::isfinite(chi2) || damping_.value() > 0 || ++steps_above_ > kPatience) {
+    back_off();
+  }
+  return settled ? std::optional(SolveStatus::converged) : std::nullopt;
+}
+
+/// Puts the step in place of the equations' right hand side, or says why there is none.
+std::optional<SolveStatus> SchurSolver::find_step() {
   equations_.assemble(terms_, places_, damping_.value());
-  if (!eliminate_landmarks(structure_, equations_) || !poses_.solve(equations_)) return false;
+  if (!eliminate_landmarks(structure_, equations_) || !poses_.solve(equations_)) return SolveStatus::singular;
   substitute_landmarks(structure_, equations_);
-  return true;
+  if (!equations_.rhs.allFinite()) return SolveStatus::not_finite;
+  return std::nullopt;
 }
 
 void SchurSolver::take_step() {
@@ -142,6 +145,12 @@ void SchurSolver::take_step() {
 void SchurSolver::return_to_best() {
   places_ = best_places_;
   terms_.evaluate(places_);
+}
+
+void SchurSolver::back_off() {
+  return_to_best();
+  steps_above_ = 0;
+  damping_.on_failure();
 }
 
 /// Whether the step is down in the rounding of the poses themselves.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "graph/determinacy.hpp"
+
 namespace lanefuse {
 
 namespace {
@@ -20,16 +22,24 @@ struct Lines {
   [[nodiscard]] double& factor(int r, int c) const { return line[r][c]; }
 };
 
-/// Puts the Cholesky factor L of the column's own block in its place, and a reciprocal in place of each
-/// pivot's root.
-bool factor_own_block(const Lines& h, const double* diagonal) {
+Eigen::Matrix3d own_block(const Lines& h) {
+  Eigen::Matrix3d block;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c <= r; ++c) block(r, c) = block(c, r) = h.factor(r, c);
+  }
+  return block;
+}
+
+/// Puts the Cholesky factor L of the column's own block in its place, with the reciprocals of its diagonal.
+/// False if rounding leaves no positive pivot.
+bool factor_own_block(const Lines& h) {
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < r; ++c) {
       for (int k = 0; k < c; ++k) h.factor(r, c) -= h.factor(r, k) * h.factor(c, k);
       h.factor(r, c) *= h.factor(c, c);
       h.factor(r, r) -= h.factor(r, c) * h.factor(r, c);
     }
-    if (!is_determined(h.factor(r, r), diagonal[r])) return false;
+    if (!(h.factor(r, r) > 0)) return false;
     h.factor(r, r) = 1 / std::sqrt(h.factor(r, r));
   }
   return true;
@@ -73,7 +83,8 @@ bool eliminate_landmarks(const BlockStructure& structure, NormalEquations& equat
   for (std::uint32_t landmark = 0; landmark < structure.landmarks(); ++landmark) {
     const Lines lines(structure.column(landmark), values);
     double* own_rhs = rhs + 3 * landmark;
-    if (!factor_own_block(lines, equations.diagonal.data() + 3 * landmark)) return false;
+    if (!is_determined(own_block(lines), equations.diagonal.segment<3>(3 * landmark))) return false;
+    if (!factor_own_block(lines)) return false;
     divide_lines(lines, own_rhs);
     for (const BlockStructure::Update& update : structure.updates(landmark)) {
       const BlockStructure::Column& column = structure.column(update.column);

@@ -7,20 +7,6 @@
 
 namespace lanefuse {
 
-/// The least share of an unknown's own information that must remain once all it is tied to has been accounted
-/// for.
-///
-/// A pivot of the Cholesky factor is what is known of an unknown beyond what only relates it to others. In
-/// exact arithmetic it is zero for an undetermined unknown; rounding leaves some 1e-16 of the diagonal it was
-/// subtracted from. A chain of n poses held at one end only legitimately comes down to about 1/n^3, 1e-12 for
-/// n = 10,000. The test is by the unknown's own diagonal, so that metres and radians need no common scale.
-inline constexpr double kLeastPivotShare = 1e-13;
-
-/// Whether a pivot says that its unknown is determined; false for NaN.
-inline bool is_determined(double pivot, double diagonal) {
-  return pivot > kLeastPivotShare * diagonal && pivot > 0;
-}
-
 /// Eliminates all landmarks from the equations: block Cholesky, column by column, each subtracting its share
 /// from the later columns. Leaves the Schur complement in the poses' part, and the factor in the landmarks'
 /// part. False if a landmark is undetermined.

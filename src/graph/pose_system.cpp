@@ -5,44 +5,18 @@
 #include <algorithm>
 
 #include <Eigen/Cholesky>
+#include <Eigen/OrderingMethods>
 
-#include "graph/landmark_elimination.hpp"
+#include "graph/determinacy.hpp"
 
 namespace lanefuse {
-
-namespace {
-
-/// The poses' part of a vector with three numbers a block.
-auto pose_part(const BlockStructure& structure, Eigen::VectorXd& all) {
-  return all.tail(3 * structure.poses());
-}
-
-}  // namespace
 
 void PoseSystem::prepare(const BlockStructure& structure) {
   structure_ = &structure;
   if (structure.poses_are_dense()) return;
+  order_poses();
   fill_pattern();
   factor_.analyzePattern(matrix_);
-}
-
-void PoseSystem::fill_pattern() {
-  const auto side = static_cast<int>(3 * structure_->poses());
-  matrix_.resize(side, side);
-  matrix_.resizeNonZeros(static_cast<Eigen::Index>(structure_->value_count() - structure_->pose_values()));
-  int* column_begin = matrix_.outerIndexPtr();
-  int* row = matrix_.innerIndexPtr();
-  *column_begin = 0;
-  for (std::uint32_t block = structure_->landmarks(); block < structure_->blocks(); ++block) {
-    for (int c = 0; c < 3; ++c) {
-      for (const std::uint32_t row_block : structure_->rows(block)) {
-        for (std::uint32_t r = 0; r < 3; ++r)
-          *row++ = static_cast<int>(3 * (row_block - structure_->landmarks()) + r);
-      }
-      *++column_begin = static_cast<int>(row - matrix_.innerIndexPtr());
-    }
-  }
-  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
 }
 
 bool PoseSystem::solve(NormalEquations& equations) {
@@ -56,28 +30,86 @@ bool PoseSystem::solve_dense(NormalEquations& equations) {
   Eigen::Ref<Eigen::MatrixXd> in_place(matrix);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(in_place);
   if (factor.info() != Eigen::Success) return false;
-  const auto diagonal = pose_part(*structure_, equations.diagonal);
-  for (Eigen::Index i = 0; i < side; ++i) {
-    if (!is_determined(matrix(i, i) * matrix(i, i), diagonal[i])) return false;
+  const auto diagonal = equations.diagonal.tail(side);
+  for (Eigen::Index i = 0; i < side; i += 3) {
+    const Eigen::Matrix3d root = matrix.block<3, 3>(i, i).triangularView<Eigen::Lower>();
+    if (!is_determined(root * root.transpose(), diagonal.segment<3>(i))) return false;
   }
-  auto rhs = pose_part(*structure_, equations.rhs);
+  auto rhs = equations.rhs.tail(side);
   factor.solveInPlace(rhs);
   return true;
 }
 
-bool PoseSystem::solve_sparse(NormalEquations& equations) {
-  std::copy(equations.values.begin() + static_cast<std::ptrdiff_t>(structure_->pose_values()),
-            equations.values.end(), matrix_.valuePtr());
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success) return false;
-  const auto diagonal = pose_part(*structure_, equations.diagonal);
-  const auto& pivots = factor_.vectorD();
-  const auto& place = factor_.permutationP().indices();
-  for (Eigen::Index i = 0; i < pivots.size(); ++i) {
-    if (!is_determined(pivots[place[i]], diagonal[i])) return false;
+void PoseSystem::order_poses() {
+  const auto poses = static_cast<int>(structure_->poses());
+  std::vector<Eigen::Triplet<double>> ties;
+  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
+    for (const std::uint32_t row : structure_->rows(structure_->landmarks() + pose)) {
+      ties.emplace_back(static_cast<int>(row - structure_->landmarks()), static_cast<int>(pose), 1.0);
+    }
   }
-  auto rhs = pose_part(*structure_, equations.rhs);
-  rhs = factor_.solve(rhs).eval();
+  SparseMatrix pattern(poses, poses);
+  pattern.setFromTriplets(ties.begin(), ties.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> pose_of_turn;
+  Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), pose_of_turn);
+  turn_of_pose_.resize(structure_->poses());
+  for (int turn = 0; turn < poses; ++turn) {
+    turn_of_pose_[pose_of_turn.indices()[turn]] = static_cast<std::uint32_t>(turn);
+  }
+}
+
+void PoseSystem::fill_pattern() {
+  // The matrix is first filled with the places of its numbers: how it arranges them is the map.
+  std::vector<Eigen::Triplet<double>> places;
+  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
+    const BlockStructure::Column& column = structure_->column(structure_->landmarks() + pose);
+    const auto rows = structure_->rows(structure_->landmarks() + pose);
+    for (std::uint32_t k = 0; k < 9 * column.count; ++k) {
+      const std::uint32_t c = k / (3 * column.count), r = k % (3 * column.count);
+      const std::uint32_t row = 3 * turn_of_pose_[rows[r / 3] - structure_->landmarks()] + r % 3;
+      const std::uint32_t col = 3 * turn_of_pose_[pose] + c;
+      if (r < 3 && row < col) continue;  // the upper half of the pose's own block
+      places.emplace_back(static_cast<int>(std::max(row, col)), static_cast<int>(std::min(row, col)),
+                          static_cast<double>(column.values + c * column.stride + r));
+    }
+  }
+  const auto side = static_cast<int>(3 * structure_->poses());
+  matrix_.resize(side, side);
+  matrix_.setFromTriplets(places.begin(), places.end());
+  source_.assign(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros());
+}
+
+bool PoseSystem::solve_sparse(NormalEquations& equations) {
+  std::transform(source_.begin(), source_.end(), matrix_.valuePtr(),
+                 [&](std::size_t place) { return equations.values[place]; });
+  factor_.factorize(matrix_);
+  if (factor_.info() != Eigen::Success || !all_determined(equations)) return false;
+  auto rhs = equations.rhs.tail(matrix_.cols());
+  rhs_.resize(rhs.size());
+  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
+    rhs_.segment<3>(3 * turn_of_pose_[pose]) = rhs.segment<3>(3 * pose);
+  }
+  rhs_ = factor_.solve(rhs_).eval();
+  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
+    rhs.segment<3>(3 * pose) = rhs_.segment<3>(3 * turn_of_pose_[pose]);
+  }
+  return true;
+}
+
+bool PoseSystem::all_determined(const NormalEquations& equations) const {
+  const auto lower = factor_.matrixL();
+  const auto& factor = lower.nestedExpression();
+  const Eigen::VectorXd pivots = factor_.vectorD();
+  const auto diagonal = equations.diagonal.tail(matrix_.cols());
+  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
+    const Eigen::Index first = 3 * turn_of_pose_[pose];
+    Eigen::Matrix3d own = Eigen::Matrix3d::Identity();
+    own(1, 0) = factor.coeff(first + 1, first);
+    own(2, 0) = factor.coeff(first + 2, first);
+    own(2, 1) = factor.coeff(first + 2, first + 1);
+    const Eigen::Matrix3d remaining = own * pivots.segment<3>(first).asDiagonal() * own.transpose();
+    if (!is_determined(remaining, diagonal.segment<3>(3 * pose))) return false;
+  }
   return true;
 }
 

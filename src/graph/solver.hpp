@@ -10,8 +10,8 @@
 namespace lanefuse {
 
 struct SolverConfig {
-  int max_iterations = 2;            ///< Gauss-Newton iterations; a warm-started window needs one or two
-  double relative_tolerance = 1e-9;  ///< stop when chi2 falls by less than this share
+  int max_iterations = 2;  ///< steps tried; a warm-started window needs one or two, a cold start up to 100
+  double relative_tolerance = 1e-9;  ///< stop when chi2 changes by no more than this share; >= 0
   SwitchForm switch_form = SwitchForm::linear;
 };
 
@@ -21,19 +21,21 @@ enum class SolveStatus : std::uint8_t {
   singular = 2,              ///< the graph leaves vertices undetermined; nothing was changed
   not_finite = 3,            ///< a number in or out is not finite; nothing was changed
   no_fixed_vertex = 4,       ///< nothing holds the gauge; nothing was changed
-  bad_edge = 5,              ///< an edge names a vertex or switch that is not there; nothing was changed
+  bad_edge = 5,  ///< an edge from a vertex to itself, or to a vertex or switch that is not there, or a switch
+                 ///< whose prior is not positive; nothing was changed
 };
 const char* to_string(SolveStatus status);
 
 struct SolveResult {
   SolveStatus status = SolveStatus::converged;
-  int iterations = 0;
-  double initial_chi2 = 0;
-  double final_chi2 = 0;
+  int iterations = 0;       ///< steps tried
+  double initial_chi2 = 0;  ///< J(V) at the start, with each switch at its best for it
+  double final_chi2 = 0;    ///< J(V) as it was left; never above initial_chi2
   [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
 };
 
-/// Minimises J(V). Keeps its workspace between calls: one object a thread.
+/// Minimises J(V) [IROS16, sec. II-E] from where the vertices stand. Keeps its workspace between calls: one
+/// object a thread.
 class GraphSolver {
  public:
   virtual ~GraphSolver() = default;
@@ -42,7 +44,9 @@ class GraphSolver {
   virtual SolveResult solve(PoseGraph& graph, const SolverConfig& config) = 0;
 };
 
-/// Gauss-Newton with the landmarks eliminated block by block onto the poses (Schur complement, Eigen).
+/// Gauss-Newton with the landmarks eliminated block by block onto the poses (Schur complement, Eigen), and
+/// the switches in closed form. A step that leads uphill is followed for a few more, then taken back and
+/// damped. The result depends on the graph alone, not on what was solved before.
 std::unique_ptr<GraphSolver> make_schur_solver();
 
 }  // namespace lanefuse

@@ -13,6 +13,7 @@ namespace lanefuse {
 namespace {
 
 constexpr double kMadToSigma = 1.4826;     ///< median absolute deviation to standard deviation, for normal residuals
+constexpr double kScatterFloor = 0.003;    ///< [rad] of a feature's heading: what calibration leaves
 constexpr double kSlopeFloor = 1e-4;       ///< no scatter is taken to be smaller: exact data has no outliers
 constexpr double kMaxHeading = 0.35;       ///< [rad] beyond this a feature is no lane's, and the cubic does not hold
 
@@ -32,10 +33,9 @@ bool BaseClothoidFit::considered(const Feature& feature) const {
 }
 
 Eigen::Vector3d BaseClothoidFit::prior_weights() const {
-  const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
-  const double curvature = sigma / config_.curvature_sigma;
-  const double rate = sigma / config_.curvature_rate_sigma;
-  return {0, curvature * curvature, rate * rate};
+  const double curvature = config_.curvature_sigma;
+  const double rate = config_.curvature_rate_sigma;
+  return {0, scatter_ / (curvature * curvature), scatter_ / (rate * rate)};
 }
 
 std::optional<Eigen::Vector3d> BaseClothoidFit::solve(std::span<const Feature> features) {
@@ -76,15 +76,37 @@ bool BaseClothoidFit::cut_outliers(std::span<const Feature> features, const Eige
 }
 
 std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> features) {
+  const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
+  scatter_ = config_.correlation * sigma * sigma;
   roles_.assign(features.size(), FitRole::unused);
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (considered(features[i])) roles_[i] = FitRole::inlier;
   }
   std::optional<Eigen::Vector3d> shape = solve(features);
-  for (int i = 0; shape && i < config_.max_iterations && cut_outliers(features, *shape); ++i) shape = solve(features);
+  for (int i = 0; shape && i < config_.max_iterations && cut_outliers(features, *shape); ++i) {
+    scatter_ = scatter(features, *shape);
+    shape = solve(features);
+  }
   if (!shape) return std::nullopt;
-  const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
-  return BaseClothoid{shaped(*shape), config_.correlation * sigma * sigma * normal_.inverse()};
+  scatter_ = scatter(features, *shape);
+  return BaseClothoid{shaped(*shape), scatter_ * normal_.inverse()};
+}
+
+double BaseClothoidFit::scatter(std::span<const Feature> features, const Eigen::Vector3d& shape) const {
+  double sum = kScatterFloor * kScatterFloor;
+  double count = 1;
+  double weight = 0;
+  double correlation = 0;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (roles_[i] != FitRole::inlier) continue;
+    const double residual = std::tan(features[i].heading) - slope_row(features[i].x).dot(shape);
+    sum += features[i].confidence * residual * residual;
+    ++count;
+    const bool tracked = features[i].track_id != kNoTrack;
+    weight += features[i].confidence;
+    correlation += features[i].confidence * (tracked ? config_.track_correlation : config_.correlation);
+  }
+  return correlation / weight * sum / count;
 }
 
 std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> features, std::span<const int> group,
@@ -122,8 +144,8 @@ std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> fea
   const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
   const Eigen::VectorXd solution = factor.solve(right);
   const Eigen::MatrixXd covariance = factor.solve(Eigen::MatrixXd::Identity(3 + groups, 3));
-  return BaseClothoid{shaped(solution.head<3>()),
-                      config_.correlation * heading_sigma * heading_sigma * covariance.topRows<3>()};
+  const Eigen::Vector3d shape = solution.head<3>();
+  return BaseClothoid{shaped(shape), scatter(features, shape) * covariance.topRows<3>()};
 }
 
 }  // namespace lanefuse

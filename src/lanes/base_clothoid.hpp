@@ -46,11 +46,14 @@ class BaseClothoidFit {
   [[nodiscard]] bool considered(const Feature& feature) const;
   [[nodiscard]] Eigen::Vector3d prior_weights() const;
   std::optional<Eigen::Vector3d> solve(std::span<const Feature> features);
+  /// Variance of a fully confident feature's slope about the fit, times the features that count as one.
+  [[nodiscard]] double scatter(std::span<const Feature> features, const Eigen::Vector3d& shape) const;
   bool cut_outliers(std::span<const Feature> features, const Eigen::Vector3d& shape);
 
   const BaseClothoidConfig& config_;
   std::vector<FitRole> roles_;
   std::vector<double> residuals_;
+  double scatter_ = 0;  ///< of the current fit; weighs the data against the prior
   Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();
 };
 

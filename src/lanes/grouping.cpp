@@ -41,8 +41,9 @@ std::vector<double> Grouping::new_offsets(std::span<const Feature> features, con
                                           std::span<const double> offsets) {
   leftovers_.clear();
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const bool near = features[i].x < config_.birth_range && features[i].confidence >= config_.birth_confidence;
-    if (groups_[i] < 0 && near) leftovers_.push_back(offset_of(features[i], base));
+    if (groups_[i] < 0 && features[i].x < config_.birth_range && is_sound(features[i])) {
+      leftovers_.push_back(offset_of(features[i], base));
+    }
   }
   std::sort(leftovers_.begin(), leftovers_.end());
   std::vector<double> taken(offsets.begin(), offsets.end());

@@ -28,6 +28,11 @@ class Grouping {
   [[nodiscard]] std::vector<double> new_offsets(std::span<const Feature> features, const Clothoid& base,
                                                 std::span<const double> offsets);
 
+  /// Whether a feature is good enough to found a boundary, or to keep one alive.
+  [[nodiscard]] bool is_sound(const Feature& feature) const {
+    return feature.track_id != kNoTrack || feature.confidence >= config_.birth_confidence;
+  }
+
   /// The group of each feature of the last assign(), -1 for leftovers.
   [[nodiscard]] std::span<const int> groups() const { return groups_; }
 

@@ -70,7 +70,6 @@ void LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoi
       ++boundaries_[b].misses;
       continue;
     }
-    boundaries_[b].misses = 0;
     boundaries_[b].update(*fit);
     observe(boundaries_[b], fused, static_cast<int>(b));
   }
@@ -80,11 +79,15 @@ std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused,
                                                  const BaseClothoid& base) const {
   const auto groups = grouping_.groups();
   std::vector<std::pair<double, double>> offsets;  // offset, weight
+  double correlation = 0;
+  double all = 0;
   for (std::size_t i = 0; i < fused.size(); ++i) {
     if (groups[i] != group) continue;
     // The course's own error grows with the distance: near features know the offset best.
     const double weight = fused[i].confidence / (1 + std::pow(std::max(0.0, fused[i].x) / 40, 2));
     offsets.emplace_back(fused[i].y - base.clothoid.y(fused[i].x), weight);
+    correlation += weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);
+    all += weight;
   }
   if (offsets.empty()) return std::nullopt;
   const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
@@ -98,23 +101,26 @@ std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused,
     sum += w * offset;
   }
   const double sigma = config_.base.position_sigma;
-  return with_offset(base, sum / weight, config_.base.correlation * sigma * sigma / weight);
+  return with_offset(base, sum / weight, correlation / all * sigma * sigma / weight);
 }
 
 void LaneModel::observe(BoundaryFilter& boundary, std::span<const Feature> fused, int group) const {
   double doubt = 1;
+  std::uint32_t sound = 0;
   const auto groups = grouping_.groups();
   for (std::size_t i = 0; i < fused.size(); ++i) {
     if (groups[i] != group) continue;
+    if (grouping_.is_sound(fused[i])) ++sound;
     doubt *= 1 - 0.5 * fused[i].confidence;
     if (fused[i].marking.type != MarkingType::unknown) boundary.marking.type = fused[i].marking.type;
     if (fused[i].marking.colour != MarkingColour::unknown) boundary.marking.colour = fused[i].marking.colour;
   }
   boundary.confidence = 1 - doubt;
+  boundary.misses = sound >= config_.keep_features ? 0 : boundary.misses + 1;
 }
 
 void LaneModel::found_boundaries(std::span<const Feature> fused, const BaseClothoid& base) {
-  const double variance = config_.measured_offset * config_.measured_offset;
+  const double variance = config_.birth_sigma * config_.birth_sigma;
   for (const double offset : grouping_.new_offsets(fused, base.clothoid, offsets_)) {
     boundaries_.emplace_back(next_boundary_++, with_offset(base, offset, variance), config_);
   }

@@ -20,11 +20,14 @@ struct BaseClothoidConfig {
   double outlier_cut = 2.5;     ///< residuals above this times 1.4826 MAD are cut
   int max_iterations = 10;      ///< of fitting and cutting
   std::uint32_t min_features = 8;
-  double curvature_sigma = 5e-3;       ///< [1/m] weak prior: decides only where data does not
-  double curvature_rate_sigma = 1e-4;  ///< [1/m^2] the same
-  double heading_sigma_deg = 1;        ///< [deg] of one fully confident feature's heading: scales prior and covariance
+  double curvature_sigma = 2e-3;       ///< [1/m] weak prior, a radius of 500 m: decides only where data does not
+  double curvature_rate_sigma = 1e-5;  ///< [1/m^2] the same, a clothoid parameter of 316 m
+  double heading_sigma_deg = 1;        ///< [deg] of one fully confident feature's heading, before the fit shows it
   double position_sigma = 0.15;        ///< [m] of one fully confident feature's position, for the joint fit
-  double correlation = 12;  ///< neighbouring features share their errors: this many count as one in the covariance
+  /// Neighbouring features share their errors: in the covariance this many count as one, of paint,
+  double correlation = 24;
+  /// and of a vehicle's trail, whose driver errs for longer than a camera.
+  double track_correlation = 60;
 };
 
 /// Grouping to boundaries, their birth and death, and their filters.
@@ -34,9 +37,13 @@ struct LaneModelConfig {
   double birth_range = 45;        ///< [m] leftovers nearer than this may found a boundary
   double birth_window = 0.5;      ///< [m] across within which they must lie
   std::uint32_t birth_features = 6;
-  double birth_confidence = 0.1;  ///< of each of them, at least
+  /// Of each of them, at least, unless a tracked vehicle witnessed it: a single bar of paint may be anything, a tracker
+  /// has looked more than once.
+  double birth_confidence = 0.3;
+  double birth_sigma = 0.5;         ///< [m] of the offset of a boundary just founded
   double birth_distance = 2;      ///< [m] to the nearest boundary, at least
-  std::uint32_t max_misses = 12;  ///< cycles without a feature after which a boundary is forgotten
+  std::uint32_t keep_features = 3;  ///< features as good as for a birth that keep a boundary alive
+  std::uint32_t max_misses = 12;    ///< cycles without them after which it is forgotten
   double merge_distance = 1.5;    ///< [m] a boundary this near to an older one is forgotten
   double lane_width_min = 2.4;    ///< [m] narrower gaps between boundaries are no lane
   double lane_width_max = 5;      ///< [m] wider ones neither

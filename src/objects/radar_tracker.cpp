@@ -57,8 +57,7 @@ bool RadarTracker::update(const RadarScan& scan, const Viewpoint& viewpoint) {
 
   std::vector<char> taken(tracks_.size(), 0);
   std::vector<Reflection> fresh;
-  for (const RadarDetection& detection : scan.detections) {
-    const Reflection reflection = make_reflection(detection, viewpoint);
+  for (const Reflection& reflection : one_a_vehicle(scan, viewpoint)) {
     Track* track = match(reflection, taken);
     if (!track) {
       fresh.push_back(reflection);
@@ -70,6 +69,28 @@ bool RadarTracker::update(const RadarScan& scan, const Viewpoint& viewpoint) {
   for (const Reflection& reflection : fresh) start(reflection, now);
   forget(now);
   return true;
+}
+
+bool RadarTracker::is_same_vehicle(const Reflection& a, const Reflection& b) const {
+  const Eigen::Vector2d sight = a.jacobian.row(2).tail<2>().transpose();
+  const Eigen::Vector2d apart = (b.measured - a.measured).head<2>();
+  const double along = apart.dot(sight);
+  const double across = apart.dot(Eigen::Vector2d(-sight.y(), sight.x()));
+  return std::abs(along) < config_.same_along && std::abs(across) < config_.same_across &&
+         std::abs(b.measured[2] - a.measured[2]) < config_.same_range_rate;
+}
+
+std::vector<RadarTracker::Reflection> RadarTracker::one_a_vehicle(const RadarScan& scan,
+                                                                  const Viewpoint& viewpoint) const {
+  // The first of a vehicle's reflections stands for it: a mean would jump whenever one comes or goes.
+  std::vector<Reflection> kept;
+  for (const RadarDetection& detection : scan.detections) {
+    const Reflection reflection = make_reflection(detection, viewpoint);
+    const bool known = std::any_of(kept.begin(), kept.end(),
+                                   [&](const Reflection& other) { return is_same_vehicle(other, reflection); });
+    if (!known) kept.push_back(reflection);
+  }
+  return kept;
 }
 
 void RadarTracker::predict(Track& track, double seconds) const {

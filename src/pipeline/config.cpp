@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "pipeline/settings.hpp"
 
 namespace lanefuse {
@@ -59,6 +60,17 @@ void check(const PerceptionConfig& config, const std::string& name) {
 
 }  // namespace
 
+PerceptionConfig default_config(WitnessRule rule) {
+  PerceptionConfig config;
+  if (rule == WitnessRule::radar_only) {
+    config.sources.objects.witness.rule = rule;
+    config.sources.ego_path.enabled = true;
+    config.lanes.base.fit = BaseFit::joint;
+    config.lanes.base.position_sigma = config.sources.objects.witness.driver_sigma;
+  }
+  return config;
+}
+
 PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults) {
   PerceptionConfig config = defaults;
   const std::vector<Setting> settings = settings_of(config);
@@ -79,6 +91,26 @@ PerceptionConfig load_config(const std::filesystem::path& file, const Perception
   if (!in) throw configuration_error(file.string(), "cannot be read");
   return parse_config(text.str(), file.string(), defaults);
 }
+
+void set_key(PerceptionConfig& config, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw configuration_error("--set " + assignment, "is no assignment", "write KEY=VALUE");
+  }
+  YAML::Node node(assignment.substr(equals + 1));
+  std::string key = assignment.substr(0, equals);
+  for (auto dot = key.rfind('.'); dot != std::string::npos; dot = key.rfind('.')) {
+    YAML::Node parent;
+    parent[key.substr(dot + 1)] = node;
+    node.reset(parent);
+    key.resize(dot);
+  }
+  YAML::Node root;
+  root[key] = node;
+  config = parse_config(YAML::Dump(root), "--set " + assignment, config);
+}
+
+std::string fingerprint(const PerceptionConfig& config) { return fmt::format("{:016x}", fnv1a(to_yaml(config))); }
 
 std::string to_yaml(const PerceptionConfig& config) {
   PerceptionConfig copy = config;

@@ -47,6 +47,16 @@ struct Bound {
   }
 };
 
+/// Vehicles among the sets of one cycle, each counted once however many sets it is in.
+std::uint32_t count_witnesses(const std::vector<FeatureSet>& sets) {
+  std::set<std::int64_t> tracks;
+  for (const FeatureSet& set : sets) {
+    if (set.source != Source::objects) continue;
+    for (const Feature& feature : set.features) tracks.insert(feature.track_id);
+  }
+  return static_cast<std::uint32_t>(tracks.size());
+}
+
 std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& config) {
   std::vector<std::unique_ptr<FeatureSource>> sources;
   if (config.serial_camera.enabled) sources.push_back(std::make_unique<SerialCameraSource>(config.serial_camera));
@@ -106,6 +116,7 @@ const LaneEstimate* MultiLanePerception::advance(Time now) {
   stage_done_(Stage::sources);
   estimate_ = estimator_->process({time, dead_reckoning_.samples(), feature_sets_});
   estimate_.inputs = std::exchange(inputs_, {});
+  estimate_.witnesses = count_witnesses(feature_sets_);
   judge_sources(time, estimate_);
   return &estimate_;
 }

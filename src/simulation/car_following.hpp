@@ -7,7 +7,7 @@ namespace lanefuse {
 /// How a driver keeps speed and distance: the Intelligent Driver Model (Treiber, Hennecke, Helbing 2000).
 struct CarFollowing {
   double wished_speed = 30;        ///< [m/s]
-  double acceleration = 1.4;       ///< [m/s^2] at most
+  double acceleration = 2;         ///< [m/s^2] at most
   double comfortable_braking = 2;  ///< [m/s^2]
   double headway = 1.2;            ///< [s]
   double standstill_gap = 3;       ///< [m]

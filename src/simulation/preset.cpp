@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "simulation/hash.hpp"
+#include "core/hash.hpp"
 #include "simulation/preset_section.hpp"
 
 namespace lanefuse {

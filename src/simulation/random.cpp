@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simulation/hash.hpp"
+#include "core/hash.hpp"
 
 namespace lanefuse {
 namespace {

@@ -19,8 +19,10 @@ Road::Road(RoadKind kind, double length, const RoadPreset& preset, Random shape,
       reference_(draw_road_course(kind == RoadKind::gentle ? preset.gentle_radius : preset.curved_radius,
                                   length, shape)),
       height_(preset, reference_.length(), heights),
-      lane_width_(shape.uniform(preset.lane_width.low, preset.lane_width.high)),
-      dash_phase_(shape.uniform(0, preset.dash_mark + preset.dash_gap)) {}
+      lane_width_(shape.uniform(preset.lane_width.low, preset.lane_width.high)) {
+  const double period = preset.dash_mark + preset.dash_gap;
+  for (int i = 0; i < boundary_count(); ++i) dash_phases_.push_back(shape.uniform(0, period));
+}
 
 double Road::boundary_lateral(int boundary) const { return lane_width_ * (preset_.lanes / 2.0 - boundary); }
 
@@ -42,7 +44,7 @@ double Road::marking_width(int boundary) const {
 bool Road::painted(int boundary, double station) const {
   if (is_edge(boundary)) return true;
   const double period = preset_.dash_mark + preset_.dash_gap;
-  const double turns = (station + dash_phase_) / period;
+  const double turns = (station + dash_phases_[static_cast<std::size_t>(boundary)]) / period;
   return (turns - std::floor(turns)) * period < preset_.dash_mark;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "sensors/truth.hpp"
 #include "simulation/preset.hpp"
@@ -54,7 +55,7 @@ class Road {
   ReferenceLine reference_;
   RoadHeight height_;
   double lane_width_;
-  double dash_phase_;  ///< [m]
+  std::vector<double> dash_phases_;  ///< [m] one a boundary
 };
 
 /// The road as truth: the centre line of every marking, a point every metre of the reference line.

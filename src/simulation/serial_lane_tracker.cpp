@@ -13,7 +13,7 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
 /// Process noise, sigmas a square root of a metre driven: how fast roads change, and how far the odometry
 /// errs.
-const Vector5 kProcess(0.01, 0.7e-3, 2e-5, 1e-6, 0.003);
+const Vector5 kProcess(0.01, 0.7e-3, 3e-5, 3e-6, 0.003);
 constexpr double kEdgeNoise = 0.03;  ///< [m] of a painted edge itself
 constexpr double kGate = 9;          ///< squared; points further off are another edge
 constexpr double kUsualWidth = 3.5;  ///< [m]
@@ -55,8 +55,7 @@ void SerialLaneTracker::update(const std::vector<Point>& points) {
   for (const Point& point : points) {
     const double x = point.place.x();
     const Row5 jacobian = point_jacobian(x, point.side);
-    const double pitch_share = noise_.pitch * x / noise_.height * state_.mean[4] / 2;
-    const double sigma = std::hypot(noise_.column * x, std::hypot(pitch_share, kEdgeNoise));
+    const double sigma = std::hypot(column_noise_ * x, kEdgeNoise);
     const Scalar residual(point.place.y() - jacobian.dot(state_.mean));
     const Scalar noise(sigma * sigma);
     const auto surprise = innovation<5, 1>(state_, residual, jacobian, noise);

@@ -19,17 +19,13 @@ namespace lanefuse {
 /// are not (pitch, yaw, vertical curvature).
 class SerialLaneTracker {
  public:
-  struct Noise {
-    double column = 0;  ///< [rad] sigma of a point's column
-    double pitch = 0;   ///< [rad] sigma that it expects of the camera's pitch
-    double height = 1;  ///< [m] of the camera
-  };
   struct Point {
     Eigen::Vector2d place;  ///< vehicle frame, on the inner edge of a marking
     Side side = Side::none;
   };
 
-  explicit SerialLaneTracker(const Noise& noise) : noise_(noise) {}
+  /// `column_noise` [rad]: sigma of a point's image column, the one error that it knows of.
+  explicit SerialLaneTracker(double column_noise) : column_noise_(column_noise) {}
 
   /// Moves the lane with the car, over `seconds` of this speed [m/s] and yaw rate [rad/s].
   void predict(double seconds, double speed, double yaw_rate);
@@ -46,7 +42,7 @@ class SerialLaneTracker {
   static constexpr int kFramesToSettle = 5;
   using State = Gaussian<5>;  ///< (offset of the lane's middle, heading, curvature, curvature rate, width)
 
-  Noise noise_;
+  double column_noise_;
   State state_ = first_guess();
   int frames_ = 0;
 

@@ -8,13 +8,14 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kRightmostPace = 26.5;    ///< [m/s] usual speed of cars in the right lane
-constexpr double kPaceStep = 4;            ///< [m/s] more in each lane further left
-constexpr double kTruckPace = 23.5;        ///< [m/s] just below the limiter
-constexpr double kPaceSpread = 1.5;        ///< [m/s] sigma over the drivers
-constexpr double kLeastHeadway = 30;       ///< [m] between vehicles that enter
-constexpr double kLeastGap = 10;           ///< [m] for a lane change, in front and behind
-constexpr double kPolitelyBraking = -1.5;  ///< [m/s^2] asked of anyone by a lane change
+constexpr double kRightmostPace = 28;  ///< [m/s] usual speed of cars in the right lane
+constexpr double kPaceStep = 3;        ///< [m/s] more in each lane further left
+constexpr double kTruckPace = 24.5;    ///< [m/s] just below the limiter
+constexpr double kPaceSpread = 2;      ///< [m/s] sigma over the drivers
+constexpr double kLeastHeadway = 40;   ///< [m] from rear to rear of vehicles that enter
+constexpr double kLeastGap = 10;       ///< [m] for a lane change, in front and behind
+constexpr double kGapWait = 8;         ///< [s] usual time until there is a gap
+constexpr double kPoliteBraking = -3;  ///< [m/s^2] asked of anyone by a lane change
 
 double usual_speed(const Road& road, int lane) {
   return kRightmostPace + kPaceStep * (road.lane_count() - 1 - lane);
@@ -68,12 +69,12 @@ Vehicle Traffic::make_vehicle(int lane, double station) {
   vehicle.front = truck ? random_.uniform(10, 16.5) : random_.uniform(3.9, 5.0);
   vehicle.width = width;
   vehicle.station = station;
-  vehicle.pace = random_.normal(truck ? kPaceSpread / 2 : kPaceSpread);
+  vehicle.pace = random_.normal(truck ? kPaceSpread / 3 : kPaceSpread);
   vehicle.speed = vehicle.driver.wished_speed =
       vehicle.pace + (truck ? kTruckPace : usual_speed(road_, lane));
   if (truck) vehicle.driver.acceleration = 0.7;
   vehicle.lane = vehicle.left_behind = lane;
-  vehicle.wait = random_.exponential(preset_.lane_change_every);
+  vehicle.wait = draw_wait();
   return vehicle;
 }
 
@@ -83,7 +84,7 @@ void Traffic::fill() {
     double station = middle - kTrafficReach + draw_headway() / 2;
     for (; station < middle + kTrafficReach; station += draw_headway()) {
       Vehicle vehicle = make_vehicle(lane, station);
-      const bool beside_ego = ego().occupies(lane) && std::abs(station - middle) < 2 * kLeastHeadway;
+      const bool beside_ego = ego().occupies(lane) && std::abs(station - middle) < kLeastHeadway;
       if (!beside_ego) vehicles_.push_back(std::move(vehicle));
     }
   }
@@ -111,16 +112,36 @@ void Traffic::accelerate(Vehicle& vehicle) const {
 void Traffic::consider_lane_change(Vehicle& vehicle, double seconds) {
   vehicle.wait -= seconds;
   if (vehicle.truck || vehicle.wait > 0 || vehicle.lateral.changing()) return;
-  const int lane = vehicle.lane + (random_.chance(0.5) ? 1 : -1);
-  if (lane < 0 || lane >= road_.lane_count() || !is_free_for(vehicle, lane)) return;
-  vehicle.lane = lane;
-  vehicle.lateral.change_to(road_.lane_centre(lane));
-  if (vehicle.id == kEgoId) {
-    vehicle.wait += ego_preset_.lane_change_every;
-  } else {
-    vehicle.driver.wished_speed = usual_speed(road_, lane) + vehicle.pace;
-    vehicle.wait = random_.exponential(preset_.lane_change_every);
+  if (vehicle.wish == 0) vehicle.wish = draw_wish(vehicle);
+  const int lane = vehicle.lane - vehicle.wish;
+  if (!has_lane(lane)) {
+    wait_anew(vehicle);
+  } else if (is_free_for(vehicle, lane)) {
+    vehicle.lane = lane;
+    vehicle.lateral.change_to(road_.lane_centre(lane));
+    if (vehicle.id != kEgoId) vehicle.driver.wished_speed = usual_speed(road_, lane) + vehicle.pace;
+    wait_anew(vehicle);
   }
+}
+
+/// To the left (+1) or right (-1). Only the ego car insists on a lane that exists; the others' wishes for one
+/// that does not come to nothing, so that the outer lanes lose no more vehicles than they gain.
+int Traffic::draw_wish(const Vehicle& vehicle) {
+  const int wish = random_.chance(0.5) ? 1 : -1;
+  return vehicle.id == kEgoId && !has_lane(vehicle.lane - wish) ? -wish : wish;
+}
+
+void Traffic::wait_anew(Vehicle& vehicle) {
+  vehicle.wish = 0;
+  vehicle.wait = vehicle.id == kEgoId ? vehicle.wait + ego_preset_.lane_change_every : draw_wait();
+}
+
+/// Cars change for the trucks too, which never do; of all wishes one in `lane_count` comes to nothing; and to
+/// the wish comes the wait for a gap.
+double Traffic::draw_wait() {
+  const double lanes = road_.lane_count();
+  const double between = preset_.lane_change_every * (1 - preset_.trucks) * (lanes - 1) / lanes;
+  return random_.exponential(std::max(between - kGapWait, between / 2));
 }
 
 bool Traffic::is_free_for(const Vehicle& vehicle, int lane) const {
@@ -130,7 +151,7 @@ bool Traffic::is_free_for(const Vehicle& vehicle, int lane) const {
     const Vehicle& leader = other_leads ? other : vehicle;
     const Vehicle& follower = other_leads ? vehicle : other;
     const double gap = gap_between(follower, leader);
-    return gap < kLeastGap || follower.driver.behind(follower.speed, gap, leader.speed) < kPolitelyBraking;
+    return gap < kLeastGap || follower.driver.behind(follower.speed, gap, leader.speed) < kPoliteBraking;
   });
 }
 
@@ -142,15 +163,15 @@ void Traffic::forget_far_ones() {
 void Traffic::enter(int lane) {
   const double ahead = ego().station + kTrafficReach;
   const double behind = ego().station - kTrafficReach;
-  double first = behind;
-  double last = ahead;
+  double foremost = behind;
+  double rearmost = ahead;
   for (const Vehicle& vehicle : vehicles_) {
     if (!vehicle.occupies(lane)) continue;
-    first = std::max(first, vehicle.head());
-    last = std::min(last, vehicle.tail());
+    foremost = std::max(foremost, vehicle.station);
+    rearmost = std::min(rearmost, vehicle.station);
   }
-  if (ahead - first > headways_[lane].front) enter_at(lane, ahead, true);
-  if (last - behind > headways_[lane].rear) enter_at(lane, behind, false);
+  if (ahead - foremost > headways_[lane].front) enter_at(lane, ahead, true);
+  if (rearmost - behind > headways_[lane].rear) enter_at(lane, behind, false);
 }
 
 /// Only the slower ones are met from behind, and only the faster ones catch up.

@@ -38,8 +38,8 @@ class Traffic {
   std::int64_t next_id_ = kEgoId + 1;
   std::vector<Vehicle> vehicles_;
   struct Headways {
-    double front;  ///< [m] to leave free before the next vehicle enters
-    double rear;
+    double front;  ///< [m] from the foremost vehicle to the next that enters
+    double rear;   ///< [m] from the rearmost one
   };
   std::vector<Headways> headways_;  ///< a lane
 
@@ -51,6 +51,10 @@ class Traffic {
   void forget_far_ones();
   void accelerate(Vehicle& vehicle) const;
   void consider_lane_change(Vehicle& vehicle, double seconds);
+  int draw_wish(const Vehicle& vehicle);
+  void wait_anew(Vehicle& vehicle);
+  double draw_wait();
+  [[nodiscard]] bool has_lane(int lane) const { return lane >= 0 && lane < road_.lane_count(); }
   [[nodiscard]] bool is_free_for(const Vehicle& vehicle, int lane) const;
   [[nodiscard]] double draw_headway();
 };

@@ -25,6 +25,7 @@ struct Vehicle {
   int lane = 0;             ///< where it is, or where it changes to
   int left_behind = 0;      ///< where it changes from; equals `lane` otherwise
   double pace = 0;          ///< [m/s] that this driver wishes to go faster than the lane's usual speed
+  int wish = 0;             ///< for the lane to the left (+1) or right (-1), while it waits for a gap
   double wait = 0;          ///< [s] until it wishes for another lane
   CarFollowing driver;
   LateralMotion lateral;

@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# zstd::zstd, the Zstandard library, where its own CMake files are not installed.
+find_path(zstd_INCLUDE_DIR zstd.h)
+find_library(zstd_LIBRARY zstd)
+mark_as_advanced(zstd_INCLUDE_DIR zstd_LIBRARY)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(zstd REQUIRED_VARS zstd_LIBRARY zstd_INCLUDE_DIR)
+if(zstd_FOUND AND NOT TARGET zstd::zstd)
+  add_library(zstd::zstd UNKNOWN IMPORTED)
+  set_target_properties(zstd::zstd PROPERTIES IMPORTED_LOCATION "${zstd_LIBRARY}"
+                                              INTERFACE_INCLUDE_DIRECTORIES "${zstd_INCLUDE_DIR}")
+endif()

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/plot_command.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/lanes_and_truth.hpp"
+#include "cli/output_file.hpp"
+#include "core/error.hpp"
+#include "drawing/svg.hpp"
+#include "drawing/top_view.hpp"
+
+namespace lanefuse {
+
+int plot(const PlotOptions& options) {
+  check_output(options.output, options.force, options.lanes);
+  LanesReader reader(options.lanes);
+  const LanesAndTruth context = find_truth(options.lanes, options.drive);
+  LaneRecord record;
+  std::optional<Time> first;
+  double seconds = -1;
+  while (seconds + 1e-9 < options.at && reader.next(record)) {
+    if (!first) first = record.estimate.time;
+    seconds = to_seconds(record.estimate.time - *first);
+  }
+  if (seconds + 1e-9 < options.at) {
+    throw configuration_error(fmt::format("--at {}", options.at),
+                              fmt::format("{} ends at {:.2f} s", options.lanes.string(), seconds));
+  }
+  TopView view = make_view(record, context);
+  view.title = fmt::format("{}, {:.2f} s", reader.drive().name, seconds);
+  write_text(options.output, standalone_svg(draw_top_view(view)));
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output.string()},
+                                              {"at_s", seconds},
+                                              {"status", to_string(record.estimate.status)},
+                                              {"boundaries", record.estimate.boundaries.size()},
+                                              {"features", record.debug.features.size()}}
+                           .dump());
+  } else {
+    fmt::print("{:.2f} s, status {} -> {}\n", seconds, to_string(record.estimate.status), options.output.string());
+  }
+  return 0;
+}
+
+}  // namespace lanefuse

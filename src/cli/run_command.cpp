@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run_command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/output_file.hpp"
+#include "cli/progress.hpp"
+#include "cli/run_sidecar.hpp"
+#include "core/error.hpp"
+#include "pipeline/perception.hpp"
+#include "recording/drive_reader.hpp"
+#include "recording/lanes_writer.hpp"
+
+namespace lanefuse {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// Wall-clock times of a run; the only place where a clock is read.
+class Stopwatch {
+ public:
+  void begin_cycle() { cycle_begin_ = stage_begin_ = Clock::now(); }
+  void end_stage(Stage stage) {
+    stages_[static_cast<std::size_t>(stage)] += milliseconds_since(stage_begin_);
+    stage_begin_ = Clock::now();
+  }
+  void end_cycle() { cycles_.push_back(milliseconds_since(cycle_begin_)); }
+
+  [[nodiscard]] const std::vector<double>& cycles() const { return cycles_; }
+  [[nodiscard]] double mean(Stage stage) const {
+    return cycles_.empty() ? 0 : stages_[static_cast<std::size_t>(stage)] / static_cast<double>(cycles_.size());
+  }
+
+ private:
+  Clock::time_point cycle_begin_;
+  Clock::time_point stage_begin_;
+  std::array<double, kStageCount> stages_{};
+  std::vector<double> cycles_;
+};
+
+/// What a run came to.
+struct RunTotals {
+  std::uint64_t cycles = 0;
+  std::optional<Time> first;
+  Time last{};
+  InputAccounting inputs;
+  GraphSize graph;
+
+  void add(const LaneEstimate& estimate, const DebugView& debug) {
+    ++cycles;
+    if (!first) first = estimate.time;
+    last = estimate.time;
+    inputs += estimate.inputs;
+    graph.poses = std::max(graph.poses, debug.graph.poses);
+    graph.features = std::max(graph.features, debug.graph.features);
+    graph.edges = std::max(graph.edges, debug.graph.edges);
+  }
+  [[nodiscard]] double duration() const { return first ? to_seconds(last - *first) : 0; }
+};
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {
+  PerceptionConfig config = default_config(recorded);
+  if (options.config) config = load_config(*options.config, config);
+  for (const std::string& assignment : options.assignments) set_key(config, assignment);
+  return config;
+}
+
+void print_json(const RunTotals& totals, const Stopwatch& watch, const PerceptionConfig& config) {
+  nlohmann::ordered_json stages;
+  for (int s = 0; s < kStageCount; ++s) stages[to_string(static_cast<Stage>(s))] = watch.mean(static_cast<Stage>(s));
+  const nlohmann::ordered_json json{
+      {"cycles", totals.cycles},
+      {"duration_s", totals.duration()},
+      {"cycle_ms",
+       {{"p50", percentile(watch.cycles(), 0.5)},
+        {"p99", percentile(watch.cycles(), 0.99)},
+        {"max", percentile(watch.cycles(), 1)}}},
+      {"stage_ms", stages},
+      {"inputs",
+       {{"used", totals.inputs.used}, {"rejected", totals.inputs.rejected}, {"dropped", totals.inputs.dropped}}},
+      {"graph",
+       {{"poses", totals.graph.poses}, {"features", totals.graph.features}, {"edges", totals.graph.edges}}},
+      {"witness", to_string(config.sources.objects.witness.rule)},
+      {"configuration_hash", fingerprint(config)}};
+  fmt::print("{}\n", json.dump());
+}
+
+void print_text(const RunTotals& totals, const Stopwatch& watch, const RunOptions& options) {
+  fmt::print("{} cycles over {:.1f} s -> {}\n", totals.cycles, totals.duration(), options.output.string());
+  fmt::print("cycle p50 {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n", percentile(watch.cycles(), 0.5),
+             percentile(watch.cycles(), 0.99), percentile(watch.cycles(), 1));
+  fmt::print("inputs: {} used, {} rejected, {} dropped; largest graph: {} poses, {} features, {} edges\n",
+             totals.inputs.used, totals.inputs.rejected, totals.inputs.dropped, totals.graph.poses,
+             totals.graph.features, totals.graph.edges);
+}
+
+/// Runs all cycles that are due before `now`.
+void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTotals& totals, LanesWriter& writer) {
+  while (true) {
+    watch.begin_cycle();
+    const LaneEstimate* lanes = perception.advance(now);
+    if (!lanes) return;
+    watch.end_cycle();
+    totals.add(*lanes, perception.debug());
+    writer.write(*lanes, perception.debug());
+  }
+}
+
+void report_damage(const RunOptions& options, const ReadReport& report) {
+  throw input_error(options.drive.string(), "damaged: " + report.first_problem,
+                    fmt::format("what could be read was fused: {} chunks, {} records and {} messages were lost",
+                                report.chunks_lost, report.records_lost, report.messages_refused));
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  if (options.print_config) {
+    fmt::print("{}", to_yaml(configure(options, WitnessRule::radar_and_camera)));
+    return 0;
+  }
+  check_output(options.output, options.force, options.drive);
+  check_output(sidecar_of(options.output), options.force);
+  DriveReader reader(options.drive);
+  const PerceptionConfig config = configure(options, reader.info().witness);
+  const WitnessRule witness = config.sources.objects.witness.rule;
+  if (witness != WitnessRule::radar_and_camera) {
+    fmt::print(stderr, "witness: {}, vehicles count without a camera's word\n", to_string(witness));
+  }
+
+  MultiLanePerception perception(config, reader.rig());
+  LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
+  Stopwatch watch;
+  RunTotals totals;
+  perception.on_stage([&watch](Stage stage) { watch.end_stage(stage); });
+  Progress progress("fusing");
+  Measurement measurement;
+  Time end{};
+  while (reader.next(measurement)) {
+    end = std::max(end, stamp_of(measurement).received_at);
+    advance(perception, end, watch, totals, writer);
+    perception.add(measurement);
+    progress.show_seconds(totals.duration());
+  }
+  if (totals.cycles == 0) {
+    throw input_error(options.drive.string(), "holds less than one cycle of motion", "nothing was written");
+  }
+  writer.close();
+  write_sidecar(options.output, {options.drive, {totals.duration(), totals.inputs, totals.graph, watch.cycles()}});
+
+  if (options.json) {
+    print_json(totals, watch, config);
+  } else {
+    print_text(totals, watch, options);
+  }
+  const ReadReport report = reader.report();
+  if (!report.complete()) report_damage(options, report);
+  return 0;
+}
+
+}  // namespace lanefuse

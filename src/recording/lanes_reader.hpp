@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/lane_estimate.hpp"
+#include "recording/read_report.hpp"
+#include "recording/run_info.hpp"
+#include "sensors/drive.hpp"
+
+namespace lanefuse {
+
+/// One recorded cycle.
+struct LaneRecord {
+  LaneEstimate estimate;
+  DebugView debug;  ///< empty where the recording has lost it
+};
+
+/// Replays recorded lanes, in order of time.
+class LanesReader {
+ public:
+  /// Throws Error (input) naming what is wrong: no recorded lanes, an unknown version, another frame, no
+  /// /out/lanes.
+  explicit LanesReader(const std::filesystem::path& path);
+  ~LanesReader();
+  LanesReader(LanesReader&&) noexcept;
+  LanesReader& operator=(LanesReader&&) noexcept;
+
+  [[nodiscard]] const DriveInfo& drive() const;  ///< that the lanes were estimated from
+  [[nodiscard]] const RunInfo& run() const;
+
+  /// The next cycle; false at the end. Messages that cannot be understood are left out and counted in
+  /// report().
+  bool next(LaneRecord& record);
+
+  [[nodiscard]] ReadReport report() const;
+
+ private:
+  class Session;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace lanefuse

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/lane_estimate.hpp"
+#include "recording/run_info.hpp"
+#include "sensors/drive.hpp"
+
+namespace lanefuse {
+
+/// Records estimated lanes with their inside view, and once more as a drawing and as OSI for other tools.
+/// What DriveWriter says of the file holds here too.
+class LanesWriter {
+ public:
+  LanesWriter(const std::filesystem::path& path, const DriveInfo& drive, const RunInfo& run);
+  ~LanesWriter();
+  LanesWriter(LanesWriter&&) noexcept;
+  LanesWriter& operator=(LanesWriter&&) noexcept;
+
+  /// One cycle; in order of time. Throws Error (input) where the time lies before 1970 or the disk fails.
+  void write(const LaneEstimate& estimate, const DebugView& debug);
+
+  void close();
+
+ private:
+  class Session;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace lanefuse

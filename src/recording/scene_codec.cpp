@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "foxglove/scene.pb.h"
+#include "recording/foxglove_fields.hpp"
+#include "recording/message_bytes.hpp"
+#include "recording/viewer_codec.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr Rgba kGrey{0.6, 0.6, 0.6, 0.5};
+constexpr Rgba kRed{0.9, 0.1, 0.1, 1};
+constexpr Rgba kRoadCourse{0.5, 0.3, 0.8, 0.8};
+
+Rgba colour_of(Source source) {
+  switch (source) {
+    case Source::serial_camera:
+      return {0.12, 0.47, 0.71, 1};
+    case Source::high_resolution_camera:
+      return {0.17, 0.63, 0.17, 1};
+    case Source::objects:
+      return {1.0, 0.5, 0.05, 1};
+    case Source::ego_path:
+      return {0.55, 0.34, 0.29, 1};
+    case Source::vehicle_to_vehicle:
+      return {0.89, 0.47, 0.76, 1};
+    case Source::user:
+      return {0.09, 0.75, 0.81, 1};
+  }
+  return kGrey;
+}
+
+Rgba colour_of(const Boundary& boundary) {
+  const double alpha = std::clamp(boundary.confidence, 0.2, 1.0);
+  if (boundary.marking.colour == MarkingColour::yellow) return {1.0, 0.85, 0.2, alpha};
+  return {1, 1, 1, alpha};
+}
+
+foxglove::SceneEntity& add_entity(foxglove::SceneUpdate& scene, const char* id, Time time) {
+  foxglove::SceneEntity& entity = *scene.add_entities();
+  put(time, *entity.mutable_timestamp());
+  entity.set_frame_id(kVehicleFrame);
+  entity.set_id(id);
+  return entity;
+}
+
+foxglove::LinePrimitive& add_line(foxglove::SceneEntity& entity, const Rgba& colour, double thickness) {
+  foxglove::LinePrimitive& line = *entity.add_lines();
+  put_pose(0, 0, 0, *line.mutable_pose());
+  line.set_thickness(thickness);
+  put(colour, *line.mutable_color());
+  return line;
+}
+
+void add_point(foxglove::LinePrimitive& line, double x, double y) {
+  foxglove::Point3& point = *line.add_points();
+  point.set_x(x);
+  point.set_y(y);
+}
+
+void draw_boundaries(const LaneEstimate& estimate, foxglove::SceneEntity& entity) {
+  for (const Boundary& boundary : estimate.boundaries) {
+    foxglove::LinePrimitive& line = add_line(entity, colour_of(boundary), 0.15);
+    for (const BoundaryPoint& point : boundary.points) add_point(line, point.x, point.y);
+  }
+}
+
+void draw_features(const DebugView& view, foxglove::SceneEntity& entity) {
+  for (const FusedFeature& fused : view.features) {
+    foxglove::CubePrimitive& cube = *entity.add_cubes();
+    put_pose(fused.feature.x, fused.feature.y, fused.feature.heading, *cube.mutable_pose());
+    cube.mutable_size()->set_x(0.8);
+    cube.mutable_size()->set_y(0.2);
+    cube.mutable_size()->set_z(0.1);
+    put(fused.outlier ? kGrey : colour_of(fused.feature.source), *cube.mutable_color());
+  }
+}
+
+void draw_road_course(const LaneEstimate& estimate, const DebugView& view, foxglove::SceneEntity& entity) {
+  if (!view.base_clothoid) return;
+  double end = 0;
+  for (const Boundary& boundary : estimate.boundaries) end = std::max(end, boundary.range_end);
+  foxglove::LinePrimitive& line = add_line(entity, kRoadCourse, 0.1);
+  const int count = static_cast<int>(std::min(end, 1000.0) / kPointSpacing);
+  for (int i = 0; i <= count; ++i)
+    add_point(line, i * kPointSpacing, view.base_clothoid->y(i * kPointSpacing));
+}
+
+void draw_switches(const DebugView& view, foxglove::SceneEntity& entity) {
+  for (const SwitchState& state : view.switches) {
+    if (state.value >= 0.5) continue;
+    foxglove::LinePrimitive& line = add_line(entity, kRed, 0.1);
+    add_point(line, state.from.x(), state.from.y());
+    add_point(line, state.to.x(), state.to.y());
+  }
+}
+
+}  // namespace
+
+mcap::Bytes encode_scene(const LaneEstimate& estimate, const DebugView& view) {
+  foxglove::SceneUpdate scene;
+  // An entity replaces the one of the same id: every cycle draws all of them anew, even if empty.
+  draw_boundaries(estimate, add_entity(scene, "boundaries", estimate.time));
+  draw_features(view, add_entity(scene, "fused features", estimate.time));
+  draw_road_course(estimate, view, add_entity(scene, "road course", estimate.time));
+  draw_switches(view, add_entity(scene, "switched off", estimate.time));
+  return to_bytes(scene);
+}
+
+}  // namespace lanefuse
