@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/estimator.hpp"
@@ -32,6 +33,9 @@ namespace lanefuse {
 class MultiLanePerception {
  public:
   MultiLanePerception(const PerceptionConfig& config, const Rig& rig);
+
+  /// Adds a source of the user's own beside the built-in ones; from then on it is asked in every cycle.
+  void add_source(std::unique_ptr<FeatureSource> source) { sources_.push_back(std::move(source)); }
 
   /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are counted in
   /// the next cycle's inputs.
