@@ -10,6 +10,7 @@ namespace lanefuse {
 double wrap_angle(double angle) {
   constexpr double kPi = std::numbers::pi;
   if (angle >= -kPi && angle < kPi) return angle;
+  if (!std::isfinite(angle)) return angle;
   const double wrapped = std::remainder(angle, 2 * kPi);
   return wrapped >= kPi ? wrapped - 2 * kPi : wrapped;
 }

@@ -50,7 +50,7 @@ RadarTracker::Reflection RadarTracker::make_reflection(const RadarDetection& det
 
 bool RadarTracker::update(const RadarScan& scan, const Viewpoint& viewpoint) {
   const Time now = scan.stamp.measured_at;
-  if (last_scan_ && now <= *last_scan_) return false;
+  if (last_scan_ && now < *last_scan_) return false;
   const double seconds = last_scan_ ? to_seconds(now - *last_scan_) : 0;
   last_scan_ = now;
   for (Track& track : tracks_) predict(track, seconds);

@@ -45,7 +45,8 @@ class RadarTracker {
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] of the radar over ground, odometry frame
   };
 
-  /// Takes in a scan; scans must come in order of time (an earlier one is refused with false). Detections that are no
+  /// Takes in a scan; scans must come in order of time (an earlier one is refused with false; two radars may
+  /// share a stamp). Detections that are no
   /// plausible reflections must have been removed.
   bool update(const RadarScan& scan, const Viewpoint& viewpoint);
 

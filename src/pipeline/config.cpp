@@ -24,8 +24,10 @@ std::string place_of(const std::string& name, const YAML::Mark& mark) {
 /// Applies one YAML node below `prefix` to the settings.
 void apply(const YAML::Node& node, const std::string& prefix, const std::string& name,
            const std::vector<Setting>& settings) {
+  if (node.IsNull()) return;
   if (!node.IsMap()) {
-    throw configuration_error(place_of(name, node.Mark()), fmt::format("'{}' is not a section of keys", prefix));
+    const std::string what = prefix.empty() ? "the file" : "'" + prefix.substr(0, prefix.size() - 1) + "'";
+    throw configuration_error(place_of(name, node.Mark()), fmt::format("{} is not a section of keys", what));
   }
   for (const auto& entry : node) {
     const auto key = prefix + entry.first.as<std::string>();
@@ -76,7 +78,7 @@ PerceptionConfig parse_config(const std::string& yaml, const std::string& name, 
   const std::vector<Setting> settings = settings_of(config);
   try {
     const YAML::Node root = YAML::Load(yaml);
-    if (!root.IsNull()) apply(root, "", name, settings);
+    apply(root, "", name, settings);
   } catch (const YAML::Exception& e) {
     throw configuration_error(place_of(name, e.mark), fmt::format("not YAML: {}", e.msg));
   }
@@ -88,7 +90,7 @@ PerceptionConfig load_config(const std::filesystem::path& file, const Perception
   std::ifstream in(file);
   std::stringstream text;
   text << in.rdbuf();
-  if (!in) throw configuration_error(file.string(), "cannot be read");
+  if (!in || text.bad()) throw configuration_error(file.string(), "cannot be read");
   return parse_config(text.str(), file.string(), defaults);
 }
 

@@ -10,8 +10,6 @@
 namespace lanefuse {
 namespace {
 
-constexpr Duration kStampMemory = std::chrono::seconds(1);
-
 /// How many things a measurement holds: what the accounting counts.
 struct ItemCount {
   std::uint64_t operator()(const VehicleMotion&) const { return 1; }
@@ -84,6 +82,7 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, const R
     : config_(config),
       rig_(rig),
       period_(from_seconds(1 / config.cycle_hz)),
+      stamp_memory_(from_seconds(config.reorder_window_s) + std::chrono::seconds(1)),
       dead_reckoning_(config.sources.odometry),
       sources_(make_sources(config.sources)),
       estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {}
@@ -114,7 +113,7 @@ void MultiLanePerception::add(Measurement measurement) {
 bool MultiLanePerception::seen_before(const Measurement& measurement) {
   const Stamp& stamp = stamp_of(measurement);
   std::set<Time>& seen = stamps_[{kind_of(measurement), stamp.sensor_id}];
-  seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - kStampMemory));
+  seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - stamp_memory_));
   return !seen.insert(stamp.measured_at).second;
 }
 

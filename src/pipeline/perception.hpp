@@ -62,6 +62,7 @@ class MultiLanePerception {
   PerceptionConfig config_;
   Rig rig_;
   Duration period_;
+  Duration stamp_memory_;  ///< longer than the reorder window, so that what comes twice is still known
   DeadReckoning dead_reckoning_;
   LaneWidthFilter lane_width_;
   std::vector<std::unique_ptr<FeatureSource>> sources_;
@@ -73,7 +74,7 @@ class MultiLanePerception {
   std::optional<Time> next_cycle_;
   std::uint32_t restarts_ = 0;
   InputAccounting inputs_;
-  /// Stamps of the last second, a kind and sensor: a message that comes twice is taken once.
+  /// Stamps of the last moments, a kind and sensor: a message that comes twice is taken once.
   std::map<std::pair<std::size_t, std::uint32_t>, std::set<Time>> stamps_;
   std::map<Source, Time> last_heard_;
   LaneEstimate estimate_;

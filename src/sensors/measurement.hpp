@@ -97,7 +97,8 @@ const Stamp& stamp_of(const Measurement& measurement);
 /// Parts that can be judged alone, a feature or an object, are judged by their sources instead.
 std::optional<std::string> implausible(const Measurement& measurement);
 
-/// Whether every number of a feature is finite, its confidence in [0, 1] and its covariance positive definite.
+/// Whether every number is finite and of a size that a car's sensors can see, the confidence in [0, 1], the range above
+/// zero and the covariance symmetric and positive definite (a clothoid's: semi-definite).
 bool is_plausible(const Feature& feature);
 bool is_plausible(const ClothoidMeasurement& clothoid);
 bool is_plausible(const TrackedObject& object);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sources/yaw_rate_bias.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace lanefuse {
@@ -28,7 +29,7 @@ void YawRateBias::add(const VehicleMotion& motion) {
     state_.covariance(0, 0) += drift * drift * to_seconds(time - *last_);
   }
   last_ = time;
-  if (motion.speed) stands_ = *motion.speed < config_.standstill_speed;
+  if (motion.speed) stands_ = std::abs(*motion.speed) < config_.standstill_speed;
   if (motion.yaw_rate) {
     gyro_sum_ += *motion.yaw_rate;
     ++gyro_count_;
