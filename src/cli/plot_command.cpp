@@ -17,6 +17,7 @@ int plot(const PlotOptions& options) {
   check_output(options.output, options.force, options.lanes);
   LanesReader reader(options.lanes);
   const LanesAndTruth context = find_truth(options.lanes, options.drive);
+  check_output(options.output, options.force, context.drive);
   LaneRecord record;
   std::optional<Time> first;
   double seconds = -1;

@@ -136,7 +136,8 @@ int run(const RunOptions& options) {
     return 0;
   }
   check_output(options.output, options.force, options.drive);
-  check_output(sidecar_of(options.output), options.force);
+  if (options.config) check_output(options.output, options.force, *options.config);
+  check_output(sidecar_of(options.output), options.force, options.drive);
   DriveReader reader(options.drive);
   const PerceptionConfig config = configure(options, reader.info().witness);
   const WitnessRule witness = config.sources.objects.witness.rule;
