@@ -104,7 +104,7 @@ std::vector<Moment> picture(const EvaluateOptions& options, const LanesAndTruth&
     moment.view.title = fmt::format("{:.1f} s", seconds);
     moment.caption = record.estimate.time == highlights.most_switched && highlights.most_switched_count > 0
                          ? "The moment with the most switched-off smoothing edges: a vehicle changed lane."
-                         : fmt::format("Status {}, {} vehicles bear witness.",
+                         : fmt::format("Status {}, vehicles that bear witness: {}.",
                                        to_string(record.estimate.status), record.estimate.witnesses);
     moments.push_back(std::move(moment));
   }

@@ -36,13 +36,12 @@ Json consistency_json(const std::vector<ConsistencyStatistics>& all) {
   return list;
 }
 
-Json ego_path_json(const EvaluationResult& result) {
+Json ego_path_json(const EvaluationResult& result, const BaselineStatistics& baselines) {
   Json json;
-  json["baselines"] = {
-      {"straight", statistics_json(result.baselines->straight)},
-      {"arc", statistics_json(result.baselines->arc)},
-      {"straight_where_available", statistics_json(result.baselines->straight_where_available)},
-      {"arc_where_available", statistics_json(result.baselines->arc_where_available)}};
+  json["baselines"] = {{"straight", statistics_json(baselines.straight)},
+                       {"arc", statistics_json(baselines.arc)},
+                       {"straight_where_available", statistics_json(baselines.straight_where_available)},
+                       {"arc_where_available", statistics_json(baselines.arc_where_available)}};
   Json& ahead = json["availability_with_vehicle_ahead"] = Json::array();
   for (const AvailabilityStatistics& s : result.availability_with_vehicle_ahead) {
     ahead.push_back(
@@ -71,7 +70,7 @@ std::string to_json(const EvaluationResult& result) {
       {"lanes",
        {{"ego", statistics_json(result.lanes.ego)}, {"adjacent", statistics_json(result.lanes.adjacent)}}}};
   if (result.baselines) {
-    json.update(ego_path_json(result));
+    json.update(ego_path_json(result, *result.baselines));
   } else {
     json["wrong_lane_rate"] = number(wrong_lane_rate(result));
     json["false_boundaries_per_frame"] = number(false_boundaries_per_cycle(result));

@@ -61,7 +61,7 @@ struct Feature {
 
 /// Which boundary of the ego lane a serial camera's clothoid describes, with what the camera knows of it.
 struct ClothoidMeasurement {
-  Clothoid clothoid;  ///< the marking's centre line
+  Clothoid clothoid;  ///< the marking's centre line (in a raw SerialLane: its inner edge)
   /// Covariance of (y0, theta0, c0, c1), symmetric positive semi-definite.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
   double range_begin = 0;  ///< [m] valid from here

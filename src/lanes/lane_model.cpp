@@ -26,7 +26,7 @@ void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_fr
 
   base_ = base_fit_.fit(fused);
   if (base_) {
-    fit_boundaries(fused, *base_);
+    base_ = fit_boundaries(fused, *base_);
     found_boundaries(fused, *base_);
   } else {
     grouping_.assign(fused, base_fit_.roles(), Clothoid{}, {});
@@ -51,21 +51,22 @@ void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_fr
   }
 }
 
-void LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit) {
+BaseClothoid LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit) {
   offsets_.clear();
   group_ids_.clear();
   for (const BoundaryFilter& boundary : boundaries_) {
     offsets_.push_back(boundary.clothoid().lateral_offset);
     group_ids_.push_back(boundary.id());
   }
-  grouping_.assign(fused, base_fit_.roles(), heading_fit.clothoid, offsets_);
+  BaseClothoid base = heading_fit;
+  grouping_.assign(fused, base_fit_.roles(), base.clothoid, offsets_);
   if (config_.base.fit == BaseFit::joint && !offsets_.empty()) {
     const auto joint = base_fit_.refine(fused, grouping_.groups(), static_cast<int>(offsets_.size()));
-    if (joint) base_ = joint;
-    grouping_.assign(fused, base_fit_.roles(), base_->clothoid, offsets_);
+    if (joint) base = *joint;
+    grouping_.assign(fused, base_fit_.roles(), base.clothoid, offsets_);
   }
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {
-    const auto fit = fit_offset(fused, static_cast<int>(b), *base_);
+    const auto fit = fit_offset(fused, static_cast<int>(b), base);
     if (!fit) {
       ++boundaries_[b].misses;
       continue;
@@ -73,6 +74,7 @@ void LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoi
     boundaries_[b].update(*fit);
     observe(boundaries_[b], fused, static_cast<int>(b));
   }
+  return base;
 }
 
 std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused, int group,

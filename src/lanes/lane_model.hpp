@@ -35,7 +35,8 @@ class LaneModel {
   void reset();
 
  private:
-  void fit_boundaries(std::span<const Feature> fused, const BaseClothoid& base);
+  /// Gives the road's course that the boundaries were fitted on.
+  BaseClothoid fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit);
   void found_boundaries(std::span<const Feature> fused, const BaseClothoid& base);
   [[nodiscard]] std::optional<BoundaryFit> fit_offset(std::span<const Feature> fused, int group,
                                                       const BaseClothoid& base) const;

@@ -119,7 +119,8 @@ bool MultiLanePerception::seen_before(const Measurement& measurement) {
 }
 
 const LaneEstimate* MultiLanePerception::advance(Time now) {
-  if (!next_cycle_ || now < *next_cycle_) return nullptr;
+  // Strictly later: what arrives at the very moment of a cycle belongs to it.
+  if (!next_cycle_ || now <= *next_cycle_) return nullptr;
   const Time time = std::exchange(*next_cycle_, *next_cycle_ + period_);
   run_sources(time);
   if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) estimator_->reset();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/estimator.hpp"
@@ -33,11 +34,14 @@ class MultiLanePerception {
  public:
   MultiLanePerception(const PerceptionConfig& config, const Rig& rig);
 
+  /// Adds a source of the user's own beside the built-in ones; from then on it is asked in every cycle.
+  void add_source(std::unique_ptr<FeatureSource> source) { sources_.push_back(std::move(source)); }
+
   /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are counted in
   /// the next cycle's inputs.
   void add(Measurement measurement);
 
-  /// Runs the next cycle if it is due before `now`, on all that had been received by then. Null when none is due; the
+  /// Runs the next cycle if it was due before `now`, on all that had been received by its time. Null when none is due; the
   /// result is valid until the next call.
   const LaneEstimate* advance(Time now);
 

@@ -12,12 +12,12 @@ InputAccounting DeadReckoning::add(const VehicleMotion& motion) {
   bias_.add(motion);
   if (motion.speed) speed_ = motion.speed;
   if (motion.yaw_rate) yaw_rate_ = *motion.yaw_rate - bias_.value();
-  if (speed_ && yaw_rate_) extend(time);
+  if (speed_ && yaw_rate_) extend(time, *speed_, *yaw_rate_);
   return {1, 0, 0};
 }
 
-void DeadReckoning::extend(Time time) {
-  MotionSample next{time, {}, *speed_, *yaw_rate_};
+void DeadReckoning::extend(Time time, double speed, double yaw_rate) {
+  MotionSample next{time, {}, speed, yaw_rate};
   if (!samples_.empty()) {
     const MotionSample& last = samples_.back();
     const double seconds = to_seconds(time - last.time);

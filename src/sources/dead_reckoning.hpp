@@ -38,7 +38,7 @@ class DeadReckoning {
   void reset();
 
  private:
-  void extend(Time time);
+  void extend(Time time, double speed, double yaw_rate);
 
   DeadReckoningConfig config_;
   YawRateBias bias_;
