@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "fusion/clothoid_sampling.hpp"
 #include "fusion/constraints.hpp"
 
@@ -15,9 +17,18 @@ namespace {
 /// How far beyond its ends the dead reckoning may be stretched to a measurement's stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
 
-bool is_finite(const Feature& feature) {
-  return std::isfinite(feature.x) && std::isfinite(feature.y) && std::isfinite(feature.heading) &&
-         feature.covariance.allFinite() && feature.covariance.diagonal().minCoeff() > 0;
+constexpr double kFarthest = 1000;  ///< [m] no sensor of a car reaches so far
+
+/// One number that is none, or a covariance that is not positive definite, would keep the whole window from being
+/// solved for as long as it is in there.
+bool is_possible(const Feature& feature) {
+  return std::abs(feature.x) < kFarthest && std::abs(feature.y) < kFarthest && std::isfinite(feature.heading) &&
+         feature.confidence >= 0 && feature.confidence <= 1 && feature.covariance.allFinite() &&
+         feature.covariance.llt().info() == Eigen::Success;
+}
+
+bool is_possible(const ClothoidMeasurement& measurement) {
+  return std::isfinite(measurement.range_begin) && std::isfinite(measurement.range_end);
 }
 
 Pose2 pose_of(const Feature& feature) { return {feature.x, feature.y, feature.heading}; }
@@ -60,17 +71,18 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
 
 void FeatureFusion::add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting) {
   sampled_ = set.features;
-  for (const ClothoidMeasurement& clothoid : set.clothoids) sample_clothoid(clothoid, config_.sample_spacing, sampled_);
+  for (const ClothoidMeasurement& clothoid : set.clothoids) {
+    if (is_possible(clothoid)) {
+      sample_within_reach(clothoid);
+    } else {
+      ++accounting.rejected;
+    }
+  }
 
   Pose2 odometry_from_measured;
-  const std::size_t room = config_.max_features - std::min<std::size_t>(config_.max_features, window_.feature_count());
   if (!pose_at(cycle.motion, set.measured_at, kReach, odometry_from_measured)) {
     accounting.dropped += sampled_.size();
     return;
-  }
-  if (sampled_.size() > room) {
-    accounting.dropped += sampled_.size() - room;
-    sampled_.resize(room);
   }
   const VertexId keyframe = window_.nearest_keyframe(set.measured_at);
   const Pose2 keyframe_from_odometry = window_.vertex(keyframe).odometry_from_vehicle.inverse();
@@ -79,11 +91,19 @@ void FeatureFusion::add_set(const FeatureSet& set, const Cycle& cycle, InputAcco
   association_.begin_set();
   vertex_of_.clear();
   for (const Feature& feature : sampled_) {
-    const bool good = is_finite(feature);
-    vertex_of_.push_back(good ? add_feature(feature, at) : SlidingWindow::kForgotten);
-    ++(good ? accounting.used : accounting.rejected);
+    const bool possible = is_possible(feature);
+    vertex_of_.push_back(possible ? add_feature(feature, at) : SlidingWindow::kForgotten);
+    const bool used = vertex_of_.back() != SlidingWindow::kForgotten;
+    ++(used ? accounting.used : possible ? accounting.dropped : accounting.rejected);
   }
   tie(set);
+}
+
+void FeatureFusion::sample_within_reach(ClothoidMeasurement clothoid) {
+  // Also bounds how many samples a wild range can bring.
+  clothoid.range_begin = std::max(clothoid.range_begin, -config_.drop_behind);
+  clothoid.range_end = std::min(clothoid.range_end, config_.drop_beyond);
+  sample_clothoid(clothoid, config_.sample_spacing, sampled_);
 }
 
 VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at) {
@@ -92,6 +112,7 @@ VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at
   const Pose2 window_from_feature = window_.graph().vertices[at.keyframe].pose * measurement;
   const Pose2 in_vehicle = at.current_vehicle_from_window * window_from_feature;
   const std::optional<VertexId> known = association_.claim(in_vehicle, information);
+  if (!known && window_.feature_count() >= config_.max_features) return SlidingWindow::kForgotten;
   const VertexId vertex = known ? *known : window_.add_feature(window_from_feature, at.set.measured_at);
   if (!known) association_.add_claimed(vertex, in_vehicle);
   window_.add_measurement({at.keyframe, vertex, measurement, information},

@@ -50,6 +50,8 @@ class FeatureFusion {
  private:
   struct Attachment;
   void add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting);
+  void sample_within_reach(ClothoidMeasurement clothoid);
+  /// The vertex that now holds the feature; kForgotten where it would be a new one and the window is full.
   VertexId add_feature(const Feature& feature, const Attachment& at);
   void remember(VertexId vertex, const Feature& feature, const Attachment& at);
   void tie(const FeatureSet& set);

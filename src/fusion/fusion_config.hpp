@@ -35,7 +35,7 @@ struct FusionConfig {
   bool width_edges = true;
   bool smoothing_edges = true;
   bool switchable = true;         ///< whether smoothing edges carry a switch variable
-  std::uint32_t max_features = 4096;  ///< of the window; measurements beyond are counted as dropped
+  std::uint32_t max_features = 4096;  ///< of the window; when it is full, measurements of new ones are counted as dropped
   AssociationConfig association;
   OdometryNoise odometry;
   SolverConfig solver;

@@ -52,12 +52,11 @@ void SlidingWindow::append(const Edge& edge, const EdgeOrigin& origin) {
 }
 
 void SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
-  // Edges of one keyframe stand together at the end: the search stops at the keyframe before.
-  const Time now = vertices_[edge.from].time;
+  // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it came.
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
     const Edge& other = graph_.edges[i];
+    if (origins_[i].kind == EdgeKind::odometry && other.to == edge.from) break;
     if (origins_[i].kind != EdgeKind::measurement) continue;
-    if (vertices_[other.from].time < now) break;
     const bool same = other.from == edge.from && other.to == edge.to && origins_[i].source == origin.source &&
                       origins_[i].sensor_id == origin.sensor_id;
     if (!same) continue;
@@ -73,7 +72,10 @@ void SlidingWindow::add_tie(const Edge& edge, const EdgeOrigin& origin) {
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
     if (origins_[i].kind != origin.kind) continue;
     const Edge& other = graph_.edges[i];
-    if (other.from == edge.from && other.to == edge.to) return;
+    const bool same = other.from == edge.from && other.to == edge.to;
+    const bool reverse = other.from == edge.to && other.to == edge.from;
+    // Smoothing says the same in both directions; a width has a left and a right end.
+    if (same || (reverse && origin.kind == EdgeKind::smoothing)) return;
   }
   Edge tie = edge;
   if (origin.kind == EdgeKind::smoothing && config_.switchable) {
@@ -95,10 +97,11 @@ void SlidingWindow::forget_features(Time now, const Pose2& vehicle_from_odometry
   const Duration max_age = from_seconds(config_.drop_age_s);
   for (VertexId id = 0; id < vertices_.size(); ++id) {
     if (vertices_[id].role != VertexRole::landmark) continue;
-    const Eigen::Vector2d position = vehicle_from_odometry * graph_.vertices[id].pose.position();
+    const Pose2& pose = graph_.vertices[id].pose;
+    const Eigen::Vector2d position = vehicle_from_odometry * pose.position();
     const bool near = position.x() > -config_.drop_behind && position.x() < config_.drop_beyond &&
-                      std::abs(position.y()) < config_.drop_lateral;
-    // Written so that a position that is not a number goes, too.
+                      std::abs(position.y()) < config_.drop_lateral && std::isfinite(pose.heading);
+    // Written so that a pose that is not a number goes, too.
     if (!near || now - vertices_[id].time > max_age) renumbered_[id] = kForgotten;
   }
 }
