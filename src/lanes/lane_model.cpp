@@ -8,7 +8,8 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kOffsetCut = 0.6;  ///< [m] a group's feature further than this from its median offset does not count
+constexpr double kOffsetCut =
+    0.6;  ///< [m] a group's feature further than this from its median offset does not count
 
 /// The road's course with an offset of its own: eq. 13.
 BoundaryFit with_offset(const BaseClothoid& base, double offset, double variance) {
@@ -21,7 +22,8 @@ BoundaryFit with_offset(const BaseClothoid& base, double offset, double variance
 
 }  // namespace
 
-void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_from_current, LaneEstimate& estimate) {
+void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_from_current,
+                        LaneEstimate& estimate) {
   for (BoundaryFilter& boundary : boundaries_) boundary.predict(previous_from_current);
 
   base_ = base_fit_.fit(fused);
@@ -88,7 +90,8 @@ std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused,
     // The course's own error grows with the distance: near features know the offset best.
     const double weight = fused[i].confidence / (1 + std::pow(std::max(0.0, fused[i].x) / 40, 2));
     offsets.emplace_back(fused[i].y - base.clothoid.y(fused[i].x), weight);
-    correlation += weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);
+    correlation +=
+        weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);
     all += weight;
   }
   if (offsets.empty()) return std::nullopt;
@@ -152,16 +155,18 @@ void LaneModel::write_boundaries(LaneEstimate& estimate) const {
     cut_to_range(boundary);
     estimate.boundaries.push_back(std::move(boundary));
   }
-  std::stable_sort(estimate.boundaries.begin(), estimate.boundaries.end(), [](const Boundary& a, const Boundary& b) {
-    return a.clothoid.lateral_offset > b.clothoid.lateral_offset;
-  });
+  std::stable_sort(estimate.boundaries.begin(), estimate.boundaries.end(),
+                   [](const Boundary& a, const Boundary& b) {
+                     return a.clothoid.lateral_offset > b.clothoid.lateral_offset;
+                   });
 }
 
 void LaneModel::cut_to_range(Boundary& boundary) const {
   boundary.range_end = config_.range_max;
   sample_points(boundary);
-  const auto unsure = std::find_if(boundary.points.begin(), boundary.points.end(),
-                                   [&](const BoundaryPoint& point) { return point.sigma > config_.sigma_max; });
+  const auto unsure =
+      std::find_if(boundary.points.begin(), boundary.points.end(),
+                   [&](const BoundaryPoint& point) { return point.sigma > config_.sigma_max; });
   boundary.points.erase(unsure, boundary.points.end());
   boundary.range_end = boundary.points.empty() ? 0 : boundary.points.back().x;
 }

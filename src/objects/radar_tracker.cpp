@@ -86,8 +86,9 @@ std::vector<RadarTracker::Reflection> RadarTracker::one_a_vehicle(const RadarSca
   std::vector<Reflection> kept;
   for (const RadarDetection& detection : scan.detections) {
     const Reflection reflection = make_reflection(detection, viewpoint);
-    const bool known = std::any_of(kept.begin(), kept.end(),
-                                   [&](const Reflection& other) { return is_same_vehicle(other, reflection); });
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Reflection& other) {
+      return is_same_vehicle(other, reflection);
+    });
     if (!known) kept.push_back(reflection);
   }
   return kept;

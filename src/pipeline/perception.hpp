@@ -20,29 +20,29 @@
 
 namespace lanefuse {
 
-/// Multi-lane perception, whole: the paper's Fig. 1. Measurements go in, in the order in which they were received;
-/// cycles come out on a fixed clock over recorded time.
+/// Multi-lane perception, whole: the paper's Fig. 1. Measurements go in, in the order in which they were
+/// received; cycles come out on a fixed clock over recorded time.
 ///
 ///     MultiLanePerception perception(config, rig);
 ///     for (const Measurement& measurement : drive) {
-///       while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at)) use(*lanes);
-///       perception.add(measurement);
+///       while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at))
+///       use(*lanes); perception.add(measurement);
 ///     }
 ///
 /// Not safe to share between threads. Nothing in here reads a clock or a file.
 class MultiLanePerception {
  public:
-  MultiLanePerception(const PerceptionConfig& config, const Rig& rig);
+  MultiLanePerception(const PerceptionConfig& config, Rig rig);
 
   /// Adds a source of the user's own beside the built-in ones; from then on it is asked in every cycle.
   void add_source(std::unique_ptr<FeatureSource> source) { sources_.push_back(std::move(source)); }
 
-  /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are counted in
-  /// the next cycle's inputs.
+  /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are
+  /// counted in the next cycle's inputs.
   void add(Measurement measurement);
 
-  /// Runs the next cycle if it was due before `now`, on all that had been received by its time. Null when none is due; the
-  /// result is valid until the next call.
+  /// Runs the next cycle if it was due before `now`, on all that had been received by its time. Null when
+  /// none is due; the result is valid until the next call.
   const LaneEstimate* advance(Time now);
 
   [[nodiscard]] const DebugView& debug() const { return estimator_->debug(); }

@@ -10,8 +10,8 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kFarthest = 1000;         ///< [m] no sensor of a car sees so far
-constexpr double kLargestTurn = 7;         ///< [rad] an angle, even if it has not been wrapped
+constexpr double kFarthest = 1000;           ///< [m] no sensor of a car sees so far
+constexpr double kLargestTurn = 7;           ///< [rad] an angle, even if it has not been wrapped
 constexpr double kSmallestVariance = 1e-12;  ///< a micrometre: what claims less would outvote everything else
 constexpr double kLargestVariance = 1e6;     ///< a kilometre
 
@@ -50,11 +50,13 @@ struct Plausibility {
     return {};
   }
   std::optional<std::string> operator()(const SerialLane& lane) const {
-    if (lane.marking_width && !(*lane.marking_width > 0 && *lane.marking_width < 2)) return "marking width is not one";
+    if (lane.marking_width && !(*lane.marking_width > 0 && *lane.marking_width < 2))
+      return "marking width is not one";
     return {};
   }
   std::optional<std::string> operator()(const MarkingFeatures& markings) const {
-    if (markings.shared_error && !(markings.shared_error->sigma >= 0 && markings.shared_error->sigma < kFarthest)) {
+    if (markings.shared_error &&
+        !(markings.shared_error->sigma >= 0 && markings.shared_error->sigma < kFarthest)) {
       return "shared error is not a sigma";
     };
     return {};
@@ -83,16 +85,19 @@ bool is_plausible(const Feature& feature) {
 
 bool is_plausible(const ClothoidMeasurement& measurement) {
   const Clothoid& clothoid = measurement.clothoid;
-  const bool is_curve = is_within(clothoid.lateral_offset, kFarthest) && is_within(clothoid.heading, kLargestTurn) &&
-                        is_within(clothoid.curvature, 1) && is_within(clothoid.curvature_rate, 1);
-  return is_curve && is_semidefinite(measurement.covariance) && is_within(measurement.range_begin, kFarthest) &&
-         is_within(measurement.range_end, kFarthest) && measurement.range_end >= measurement.range_begin &&
-         measurement.confidence >= 0 && measurement.confidence <= 1;
+  const bool is_curve = is_within(clothoid.lateral_offset, kFarthest) &&
+                        is_within(clothoid.heading, kLargestTurn) && is_within(clothoid.curvature, 1) &&
+                        is_within(clothoid.curvature_rate, 1);
+  return is_curve && is_semidefinite(measurement.covariance) &&
+         is_within(measurement.range_begin, kFarthest) && is_within(measurement.range_end, kFarthest) &&
+         measurement.range_end >= measurement.range_begin && measurement.confidence >= 0 &&
+         measurement.confidence <= 1;
 }
 
 bool is_plausible(const TrackedObject& object) {
   return is_within(object.x, kFarthest) && is_within(object.y, kFarthest) &&
-         is_within(object.heading, kLargestTurn) && is_within(object.speed, 150) && object.existence >= 0 && object.existence <= 1 && is_covariance(object.covariance);
+         is_within(object.heading, kLargestTurn) && is_within(object.speed, 150) && object.existence >= 0 &&
+         object.existence <= 1 && is_covariance(object.covariance);
 }
 
 bool is_plausible(const RadarDetection& detection) {

@@ -19,7 +19,8 @@ struct DeadReckoningConfig {
   YawRateBiasConfig bias;
 };
 
-/// Integrates what the car's buses say of its motion, u = [yaw rate, speed] of [IROS16, sec. II-E1], to a path.
+/// Integrates what the car's buses say of its motion, u = [yaw rate, speed] of [IROS16, sec. II-E1], to a
+/// path.
 class DeadReckoning {
  public:
   explicit DeadReckoning(const DeadReckoningConfig& config) : config_(config), bias_(config.bias) {}

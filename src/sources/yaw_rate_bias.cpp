@@ -35,15 +35,15 @@ void YawRateBias::add(const VehicleMotion& motion) {
     ++gyro_count_;
     if (stands_) compare_with_standstill(*motion.yaw_rate);
   }
-  if (motion.wheel_speeds && gyro_count_ > 0) compare_with_wheels(motion);
+  if (motion.wheel_speeds && gyro_count_ > 0) compare_with_wheels(*motion.wheel_speeds);
 }
 
-void YawRateBias::compare_with_wheels(const VehicleMotion& wheels) {
+void YawRateBias::compare_with_wheels(const std::array<double, 4>& wheel_speeds) {
   const double gyro = gyro_sum_ / gyro_count_;
   gyro_sum_ = 0;
   gyro_count_ = 0;
-  const double left = (*wheels.wheel_speeds)[2];
-  const double right = (*wheels.wheel_speeds)[3];
+  const double left = wheel_speeds[2];
+  const double right = wheel_speeds[3];
   const double from_wheels = (right - left) / config_.track_width;
   // gyro - wheels = bias - mismatch * v / track
   const Eigen::RowVector2d jacobian(1, -(left + right) / 2 / config_.track_width);

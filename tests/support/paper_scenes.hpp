@@ -36,8 +36,8 @@ inline FeatureSet serial_set(const FusionDrive& drive, double y, double from, do
   return set;
 }
 
-/// Fig. "A GraphSLAM example": one vehicle, measured at t-1 and t; a marking feature f* that the serial camera saw at
-/// t-1 and the high-resolution camera at t.
+/// Fig. "A GraphSLAM example": one vehicle, measured at t-1 and t; a marking feature f* that the serial
+/// camera saw at t-1 and the high-resolution camera at t.
 inline std::unique_ptr<FusionDrive> graph_slam_example() {
   FusionConfig config = thorough();
   config.keyframe_distance = 8;
@@ -48,8 +48,9 @@ inline std::unique_ptr<FusionDrive> graph_slam_example() {
   return drive;
 }
 
-/// Fig. "graphslamfusion": a vehicle drives in the left lane, not quite in its middle, and is then in the right one.
-/// It is seen now and then, as between other cars, so that two sightings stand on the two sides of the change.
+/// Fig. "graphslamfusion": a vehicle drives in the left lane, not quite in its middle, and is then in the
+/// right one. It is seen now and then, as between other cars, so that two sightings stand on the two sides of
+/// the change.
 struct LaneChangeScene {
   bool width_edges = false;
   bool smoothing_edges = false;
