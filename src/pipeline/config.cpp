@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,8 +27,9 @@ void apply(const YAML::Node& node, const std::string& prefix, const std::string&
            const std::vector<Setting>& settings) {
   if (node.IsNull()) return;
   if (!node.IsMap()) {
-    const std::string what = prefix.empty() ? "the file" : "'" + prefix.substr(0, prefix.size() - 1) + "'";
-    throw configuration_error(place_of(name, node.Mark()), fmt::format("{} is not a section of keys", what));
+    // The prefix ends with the dot before the next key; the file itself has none.
+    const auto key = std::string_view(prefix).substr(0, prefix.empty() ? 0 : prefix.size() - 1);
+    throw configuration_error(place_of(name, node.Mark()), fmt::format("'{}' is not a section of keys", key));
   }
   for (const auto& entry : node) {
     const auto key = prefix + entry.first.as<std::string>();
@@ -90,7 +92,7 @@ PerceptionConfig load_config(const std::filesystem::path& file, const Perception
   std::ifstream in(file);
   std::stringstream text;
   text << in.rdbuf();
-  if (!in || text.bad()) throw configuration_error(file.string(), "cannot be read");
+  if (!in || std::filesystem::is_directory(file)) throw configuration_error(file.string(), "cannot be read");
   return parse_config(text.str(), file.string(), defaults);
 }
 

@@ -40,8 +40,9 @@ class Section {
   void add(const char* key, bool& value, const char* effect) {
     settings_.push_back({prefix_ + key, "", effect, "true, false", [&value] { return value ? "true" : "false"; },
                          [&value](const std::string& text) {
+                           if (text != "true" && text != "false") return false;
                            value = text == "true";
-                           return value || text == "false";
+                           return true;
                          }});
   }
 
