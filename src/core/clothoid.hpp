@@ -6,7 +6,7 @@
 
 namespace lanefuse {
 
-/// A clothoid as the cubic of [IROS16, eq. 12], in the vehicle frame:
+/// A clothoid as the cubic of [IROS16, eq. 11], in the vehicle frame:
 ///     y(x) = y0 + theta0 x + c0 x^2 / 2 + c1 x^3 / 6.
 /// Good for headings up to 15 degrees. Other conventions (Apollo's, Mobileye's plain coefficients, degrees a
 /// metre) are converted where they come in.

@@ -106,7 +106,7 @@ struct FusedFeature {
   std::uint64_t boundary = 0;  ///< the boundary it was grouped to, 0 for none
 };
 
-/// One switchable smoothing edge [IROS16, eq. 11], between two features of one track's side.
+/// One switchable smoothing edge [IROS16, sec. II-E4], between two features of one track's side.
 struct SwitchState {
   std::int64_t track_id = kNoTrack;
   Side side = Side::none;

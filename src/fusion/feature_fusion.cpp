@@ -160,7 +160,7 @@ void FeatureFusion::smooth(const Feature& feature, VertexId vertex) {
   const auto [entry, is_new] = last_of_track_.try_emplace({feature.track_id, feature.side}, vertex);
   const VertexId previous = std::exchange(entry->second, vertex);
   if (is_new || previous == vertex) return;
-  // The paper's target is 0 [eq. 10]: along the road nothing is said, and one cycle's turn of the road is far
+  // The paper's target is 0 [eq. 9]: along the road nothing is said, and one cycle's turn of the road is far
   // below the heading's sigma.
   window_.add_tie({previous, vertex, Pose2{}, smoothing_information(config_)},
                   {EdgeKind::smoothing, feature.source, 0, feature.track_id, feature.side});

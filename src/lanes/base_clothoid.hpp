@@ -26,7 +26,7 @@ struct BaseClothoid {
 
 /// Fits the base clothoid to the headings of the fused features by robust weighted linear least squares
 /// [IROS16, sec. II-F]: theta0, c0 and c1 are linear in the *tangent* of the heading, the derivative of
-/// eq. 12. The features' confidences are the weights; residuals far outside the median are cut, and the fit
+/// eq. 11. The features' confidences are the weights; residuals far outside the median are cut, and the fit
 /// is repeated until no feature changes sides.
 class BaseClothoidFit {
  public:

@@ -11,7 +11,7 @@ namespace {
 constexpr double kOffsetCut =
     0.6;  ///< [m] a group's feature further than this from its median offset does not count
 
-/// The road's course with an offset of its own: eq. 13.
+/// The road's course with an offset of its own: eq. 12.
 BoundaryFit with_offset(const BaseClothoid& base, double offset, double variance) {
   BoundaryFit fit{base.clothoid, Eigen::Matrix4d::Zero()};
   fit.clothoid.lateral_offset = offset;

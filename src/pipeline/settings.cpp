@@ -46,8 +46,9 @@ class Section {
     settings_.push_back({prefix_ + key, "", effect, "true, false",
                          [&value] { return value ? "true" : "false"; },
                          [&value](const std::string& text) {
+                           if (text != "true" && text != "false") return false;
                            value = text == "true";
-                           return value || text == "false";
+                           return true;
                          }});
   }
 
