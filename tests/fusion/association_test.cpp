@@ -117,9 +117,12 @@ std::optional<VertexId> search_all(const std::vector<Pose2>& features, const Pos
 }
 
 RC_GTEST_PROP(FeatureAssociation, FindsWhatASearchThroughAllFinds, ()) {
-  const double turn = *rc::gen::inRange(-31, 32) * 0.1;  // markings may lead anywhere, even across the car's way
+  const double turn =
+      *rc::gen::inRange(-31, 32) * 0.1;  // markings may lead anywhere, even across the car's way
   const auto pose = rc::gen::apply(
-      [turn](int x, int y, int h) { return Pose2{x * 0.13, y * 0.11, wrap_angle(turn + h * 0.02)}; },
+      [turn](int x, int y, int h) {
+        return Pose2{x * 0.13, y * 0.11, wrap_angle(turn + h * 0.02)};
+      },
       rc::gen::inRange(-200, 200), rc::gen::inRange(-12, 12), rc::gen::inRange(-5, 6));
   const auto features = *rc::gen::container<std::vector<Pose2>>(pose);
   const Pose2 measured = *pose;

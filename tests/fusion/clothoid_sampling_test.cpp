@@ -63,7 +63,8 @@ TEST(ClothoidSampling, LosesConfidenceWithTheDistance) {
   EXPECT_NEAR(features.back().confidence, 0.8 * std::exp(-1.0), 1e-12);
 }
 
-/// Variances of y and of the heading at each sample, over clothoids drawn from the measurement's distribution.
+/// Variances of y and of the heading at each sample, over clothoids drawn from the measurement's
+/// distribution.
 std::vector<Eigen::Array2d> drawn_variances(const ClothoidMeasurement& marking, int draws) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;

@@ -48,8 +48,10 @@ struct Traffic {
       const double y = vehicles[v].lateral[cycle];
       const double heading = vehicles[v].heading;
       const auto id = static_cast<std::int64_t>(v);
-      set.features.push_back(testing::witnessed(id, Side::left, car.inverse() * Pose2{x, y + 1.75, heading}, 0.3));
-      set.features.push_back(testing::witnessed(id, Side::right, car.inverse() * Pose2{x, y - 1.75, heading}, 0.3));
+      set.features.push_back(
+          testing::witnessed(id, Side::left, car.inverse() * Pose2{x, y + 1.75, heading}, 0.3));
+      set.features.push_back(
+          testing::witnessed(id, Side::right, car.inverse() * Pose2{x, y - 1.75, heading}, 0.3));
     }
     return set;
   }
@@ -97,8 +99,8 @@ void follow(FusionDrive& drive, const Traffic& traffic, double lane_change) {
 
 FusionConfig exact_config() {
   FusionConfig config = testing::thorough();
-  config.keyframe_distance = 0.5;            // every cycle, whatever the way
-  config.drop_behind = 500;                  // forgetting is no matter of this test
+  config.keyframe_distance = 0.5;  // every cycle, whatever the way
+  config.drop_behind = 500;        // forgetting is no matter of this test
   config.association = {.along = 1.2345, .across = 0.6123, .across_per_metre = 0};  // as wide from every lane
   return config;
 }
@@ -120,14 +122,16 @@ RC_GTEST_PROP(EgoLaneChange, LeavesWidthAndSmoothingErrorsAsTheyWere, ()) {
     RC_ASSERT(edges == testing::edges_of(changing.window(), kind));
     RC_ASSERT(!edges.empty());
     for (const std::size_t i : edges) {
-      const Eigen::Vector3d off = testing::error_of(straight.graph(), i) - testing::error_of(changing.graph(), i);
+      const Eigen::Vector3d off =
+          testing::error_of(straight.graph(), i) - testing::error_of(changing.graph(), i);
       RC_ASSERT(off.cwiseAbs().maxCoeff() < 1e-6);
       RC_ASSERT(std::abs(switch_of(straight.graph(), i) - switch_of(changing.graph(), i)) < 1e-6);
     }
   }
 }
 
-/// With odometry edges as they are: where the others keep their lanes, our own lane change makes no error at all.
+/// With odometry edges as they are: where the others keep their lanes, our own lane change makes no error at
+/// all.
 TEST(EgoLaneChange, PullsAtNoWitnessThatKeepsItsLane) {
   Traffic traffic;
   traffic.vehicles.push_back({std::vector<double>(kCycles, 3.5), 30, 1.5});
@@ -141,7 +145,8 @@ TEST(EgoLaneChange, PullsAtNoWitnessThatKeepsItsLane) {
   }
   for (const EdgeKind kind : {EdgeKind::width, EdgeKind::smoothing}) {
     for (const std::size_t i : testing::edges_of(drive.window(), kind)) {
-      EXPECT_LT(testing::error_of(drive.graph(), i).tail<2>().norm(), 1e-6);  // along the road nothing is said
+      EXPECT_LT(testing::error_of(drive.graph(), i).tail<2>().norm(),
+                1e-6);  // along the road nothing is said
       EXPECT_NEAR(switch_of(drive.graph(), i), 1, 1e-6);
     }
   }

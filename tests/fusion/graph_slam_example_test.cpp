@@ -51,8 +51,10 @@ TEST_F(GraphSlamExample, HasThePapersVerticesAndEdges) {
   EXPECT_EQ(testing::edges_of(window_, EdgeKind::odometry).size(), 1U);
   EXPECT_EQ(ends(EdgeKind::measurement, Source::objects),
             (Ends{{before, left_before}, {before, right_before}, {now, left_now}, {now, right_now}}));
-  EXPECT_EQ(ends(EdgeKind::width, Source::objects), (Ends{{right_before, left_before}, {right_now, left_now}}));
-  EXPECT_EQ(ends(EdgeKind::smoothing, Source::objects), (Ends{{left_before, left_now}, {right_before, right_now}}));
+  EXPECT_EQ(ends(EdgeKind::width, Source::objects),
+            (Ends{{right_before, left_before}, {right_now, left_now}}));
+  EXPECT_EQ(ends(EdgeKind::smoothing, Source::objects),
+            (Ends{{left_before, left_now}, {right_before, right_now}}));
 
   const auto serial = ends(EdgeKind::measurement, Source::serial_camera);
   const auto high_resolution = ends(EdgeKind::measurement, Source::high_resolution_camera);

@@ -26,7 +26,9 @@ class Window : public ::testing::Test {
     return feature;
   }
   std::size_t edges(EdgeKind kind) const { return testing::edges_of(window_, kind).size(); }
-  const std::vector<VertexId>& prune(double seconds, const Pose2& car) { return window_.prune(at(seconds), car); }
+  const std::vector<VertexId>& prune(double seconds, const Pose2& car) {
+    return window_.prune(at(seconds), car);
+  }
 
   FusionConfig config_;
   SlidingWindow window_{config_};
@@ -61,7 +63,8 @@ TEST_F(Window, ForgetsWhatIsBehindBeyondOrBesideTheRoad) {
   for (const Pose2& gone : {Pose2{-5.1, 0, 0}, Pose2{160.1, 0, 0}, Pose2{10, 60.1, 0}, Pose2{10, -60.1, 0}}) {
     seen(gone.x, gone.y, at(0));
   }
-  for (const Pose2& kept : {Pose2{-4.9, 0, 0}, Pose2{159.9, 0, 0}, Pose2{10, 59.9, 0}}) seen(kept.x, kept.y, at(0));
+  for (const Pose2& kept : {Pose2{-4.9, 0, 0}, Pose2{159.9, 0, 0}, Pose2{10, 59.9, 0}})
+    seen(kept.x, kept.y, at(0));
   const auto& ids = prune(1, {});
   EXPECT_EQ(ids, (std::vector<VertexId>{0, SlidingWindow::kForgotten, SlidingWindow::kForgotten,
                                         SlidingWindow::kForgotten, SlidingWindow::kForgotten, 1, 2, 3}));

@@ -52,8 +52,9 @@ TEST(Ties, AreLeftOutAsConfigured) {
 TEST(Ties, LeaveOutAWitnessOfUnknownWidthAndFeaturesOfNoTrack) {
   FusionDrive drive;
   for (int i = 0; i < 4; ++i) {
-    drive.step({3.0 * i, 0, 0}, {drive.set(Source::objects, testing::vehicle_features(30, 0)),
-                                 drive.set(Source::high_resolution_camera, {testing::feature_at({50, 9, 0})})});
+    drive.step({3.0 * i, 0, 0},
+               {drive.set(Source::objects, testing::vehicle_features(30, 0)),
+                drive.set(Source::high_resolution_camera, {testing::feature_at({50, 9, 0})})});
   }
   EXPECT_TRUE(edges_of(drive.window(), EdgeKind::width).empty());
   EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 6U);

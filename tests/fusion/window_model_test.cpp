@@ -29,7 +29,8 @@ class WindowAndModel {
     car_ += metres;
     time_ += from_seconds(0.1);
     window_.advance(time_, {car_, 0, 0});
-    if (keyframes_.empty() || car_ - keyframes_.back() >= config_.keyframe_distance) keyframes_.push_back(car_);
+    if (keyframes_.empty() || car_ - keyframes_.back() >= config_.keyframe_distance)
+      keyframes_.push_back(car_);
   }
 
   void see(double ahead, double late_s) {
@@ -44,7 +45,8 @@ class WindowAndModel {
     which %= ids_.size();
     const VertexId keyframe = window_.nearest_keyframe(time_ - from_seconds(late_s));
     const double from = window_.graph().vertices[keyframe].pose.x;
-    window_.add_measurement({keyframe, ids_[which], {0, ++name_, 0}}, {EdgeKind::measurement, Source::objects, 1});
+    window_.add_measurement({keyframe, ids_[which], {0, ++name_, 0}},
+                            {EdgeKind::measurement, Source::objects, 1});
     std::erase_if(edges_, [&](const NamedEdge& e) {
       return e.kind == EdgeKind::measurement && e.from == from && e.to == features_[which];
     });
@@ -80,7 +82,9 @@ class WindowAndModel {
     }
     ids_ = ids;
     features_ = features;
-    const auto has_feature = [&](double x) { return std::find(features_.begin(), features_.end(), x) != features_.end(); };
+    const auto has_feature = [&](double x) {
+      return std::find(features_.begin(), features_.end(), x) != features_.end();
+    };
     std::erase_if(edges_, [&](const NamedEdge& e) {
       return !has_feature(e.to) || (e.kind != EdgeKind::measurement && !has_feature(e.from));
     });

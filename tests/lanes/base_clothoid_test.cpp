@@ -62,7 +62,8 @@ TEST(BaseClothoid, CutsOutliersThatAreThirtyInAHundred) {
   const auto base = fit.fit(features);
   ASSERT_TRUE(base);
   for (std::size_t i = good; i < features.size(); ++i) EXPECT_EQ(fit.roles()[i], FitRole::outlier) << i;
-  EXPECT_GE(std::count(fit.roles().begin(), fit.roles().begin() + static_cast<std::ptrdiff_t>(good), FitRole::inlier),
+  EXPECT_GE(std::count(fit.roles().begin(), fit.roles().begin() + static_cast<std::ptrdiff_t>(good),
+                       FitRole::inlier),
             static_cast<std::ptrdiff_t>(good * 95 / 100));
   EXPECT_LT(parting(base->clothoid, road, 80), 0.2);
 }
@@ -173,7 +174,8 @@ class JointFit : public ::testing::Test {
   static constexpr std::array kOffsets{5.4, 1.8, -1.8};
 
   void fit(double y_sigma, double heading_sigma, unsigned seed) {
-    const auto features = shaken(road_of(road_, {kOffsets.begin(), kOffsets.end()}), y_sigma, heading_sigma, seed);
+    const auto features =
+        shaken(road_of(road_, {kOffsets.begin(), kOffsets.end()}), y_sigma, heading_sigma, seed);
     std::vector<int> group(features.size());
     const std::size_t each = features.size() / kOffsets.size();
     for (std::size_t i = 0; i < group.size(); ++i) group[i] = static_cast<int>(i / each);

@@ -35,14 +35,16 @@ inline void append(std::vector<Feature>& features, const std::vector<Feature>& m
 }
 
 /// Several markings of one road.
-inline std::vector<Feature> road_of(const Clothoid& course, const std::vector<double>& offsets, const Paint& paint = {}) {
+inline std::vector<Feature> road_of(const Clothoid& course, const std::vector<double>& offsets,
+                                    const Paint& paint = {}) {
   std::vector<Feature> features;
   for (const double offset : offsets) append(features, features_of(course, offset, paint));
   return features;
 }
 
 /// The same features with noise on y and on the heading.
-inline std::vector<Feature> shaken(std::vector<Feature> features, double y_sigma, double heading_sigma, unsigned seed) {
+inline std::vector<Feature> shaken(std::vector<Feature> features, double y_sigma, double heading_sigma,
+                                   unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   for (Feature& feature : features) {

@@ -19,7 +19,8 @@ std::string text_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-/// paper_pictures FOLDER draws the pictures; paper_pictures --check FOLDER fails where a file there is another.
+/// paper_pictures FOLDER draws the pictures; paper_pictures --check FOLDER fails where a file there is
+/// another.
 int main(int argc, char** argv) {
   const bool check = argc == 3 && std::strcmp(argv[1], "--check") == 0;
   if (argc != 2 && !check) {

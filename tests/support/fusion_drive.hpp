@@ -32,7 +32,8 @@ inline Feature witnessed(std::int64_t track, Side side, const Pose2& pose, doubl
 
 class FusionDrive {
  public:
-  explicit FusionDrive(const FusionConfig& config = {}, std::unique_ptr<GraphSolver> solver = make_schur_solver())
+  explicit FusionDrive(const FusionConfig& config = {},
+                       std::unique_ptr<GraphSolver> solver = make_schur_solver())
       : config_(config), fusion_(config_, std::move(solver)) {}
   FusionDrive(const FusionDrive&) = delete;
   FusionDrive& operator=(const FusionDrive&) = delete;
@@ -40,7 +41,8 @@ class FusionDrive {
   /// The stamp of the coming cycle: sets are measured then unless they say otherwise.
   [[nodiscard]] Time coming() const { return now_ + kCycle; }
 
-  [[nodiscard]] FeatureSet set(Source source, std::vector<Feature> features, std::uint32_t sensor_id = 1) const {
+  [[nodiscard]] FeatureSet set(Source source, std::vector<Feature> features,
+                               std::uint32_t sensor_id = 1) const {
     FeatureSet result;
     result.source = source;
     result.sensor_id = sensor_id;

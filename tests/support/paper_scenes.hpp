@@ -36,20 +36,21 @@ inline FeatureSet serial_set(const FusionDrive& drive, double y, double from, do
   return set;
 }
 
-/// Fig. "A GraphSLAM example": one vehicle, measured at t-1 and t; a marking feature f* that the serial camera saw at
-/// t-1 and the high-resolution camera at t.
+/// Fig. "A GraphSLAM example": one vehicle, measured at t-1 and t; a marking feature f* that the serial
+/// camera saw at t-1 and the high-resolution camera at t.
 inline std::unique_ptr<FusionDrive> graph_slam_example() {
   FusionConfig config = thorough();
   config.keyframe_distance = 8;
   auto drive = std::make_unique<FusionDrive>(config);
-  drive->step({0, 0, 0}, {serial_set(*drive, -1.75, 26, 26), vehicle_set(*drive, 14, 3.6)});
-  drive->step({8, 0, 0}, {drive->set(Source::high_resolution_camera, {feature_at({18.2, -1.8, 0.002})}, 2),
+  drive->step({0, 0, 0}, {serial_set(*drive, -1.75, 19, 19), vehicle_set(*drive, 14, 3.6)});
+  drive->step({8, 0, 0}, {drive->set(Source::high_resolution_camera, {feature_at({11.2, -1.8, 0.002})}, 2),
                           vehicle_set(*drive, 14, 3.6)});
   return drive;
 }
 
-/// Fig. "graphslamfusion": a vehicle drives in the left lane, not quite in its middle, and is then in the right one.
-/// It is seen now and then, as between other cars, so that two sightings stand on the two sides of the change.
+/// Fig. "graphslamfusion": a vehicle drives in the left lane, not quite in its middle, and is then in the
+/// right one. It is seen now and then, as between other cars, so that two sightings stand on the two sides of
+/// the change.
 struct LaneChangeScene {
   bool width_edges = false;
   bool smoothing_edges = false;
