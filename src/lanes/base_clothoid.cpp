@@ -30,7 +30,7 @@ Clothoid shaped(const Eigen::Vector3d& shape) { return {0, shape[0], shape[1], s
 }  // namespace
 
 bool BaseClothoidFit::considered(const Feature& feature) const {
-  return feature.x > config_.range_begin && feature.x < config_.range_end &&
+  return feature.x > config_.range_begin && feature.x < config_.range_end && std::isfinite(feature.y) &&
          std::abs(feature.heading) < kMaxHeading && feature.confidence > 0;
 }
 
@@ -86,9 +86,13 @@ std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> featur
   }
   std::optional<Eigen::Vector3d> shape = solve(features);
   for (int i = 0; i < config_.max_iterations; ++i) {
-    if (!shape || !cut_outliers(features, *shape)) break;
+    if (!shape) return std::nullopt;
+    const bool changed = cut_outliers(features, *shape);
     scatter_ = scatter(features, *shape);
     shape = solve(features);
+    // Twice at least: the first fit did not know how much the data is worth against the prior, nor did its
+    // scatter.
+    if (!changed && i > 0) break;
   }
   if (!shape) return std::nullopt;
   scatter_ = scatter(features, *shape);

@@ -213,12 +213,15 @@ std::uint64_t LaneModel::lane_id(std::uint64_t left, std::uint64_t right) {
 void LaneModel::explain(std::span<const Feature> fused, DebugView& view) const {
   const auto roles = base_fit_.roles();
   const auto groups = grouping_.groups();
+  const auto lives = [&](std::uint64_t id) {
+    return std::any_of(boundaries_.begin(), boundaries_.end(), [id](const auto& b) { return b.id() == id; });
+  };
   view.features.clear();
   for (std::size_t i = 0; i < fused.size(); ++i) {
     FusedFeature feature{fused[i]};
     feature.in_base_fit = roles[i] == FitRole::inlier;
     feature.outlier = roles[i] == FitRole::outlier;
-    feature.boundary = groups[i] < 0 ? 0 : group_ids_[groups[i]];
+    if (groups[i] >= 0 && lives(group_ids_[groups[i]])) feature.boundary = group_ids_[groups[i]];
     view.features.push_back(feature);
   }
   view.base_clothoid.reset();

@@ -53,7 +53,7 @@ class LaneModel {
   const LaneModelConfig& config_;
   BaseClothoidFit base_fit_;
   Grouping grouping_;
-  std::optional<BaseClothoid> base_;        ///< of the last cycle that had one
+  std::optional<BaseClothoid> base_;        ///< of the last cycle, if it had one
   std::vector<BoundaryFilter> boundaries_;  ///< from old to young
   std::vector<double> offsets_;             ///< scratch: y0 of each boundary
   std::vector<std::uint64_t> group_ids_;    ///< the boundary that each group of the last cycle stands for

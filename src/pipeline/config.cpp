@@ -34,10 +34,12 @@ void apply(const YAML::Node& node, const std::string& prefix, const std::string&
   for (const auto& entry : node) {
     const auto key = prefix + entry.first.as<std::string>();
     const std::string place = place_of(name, entry.first.Mark());
-    const auto setting = std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.key == key; });
+    const auto setting =
+        std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.key == key; });
     if (setting == settings.end()) {
-      const bool is_section = std::any_of(settings.begin(), settings.end(),
-                                          [&](const Setting& s) { return s.key.starts_with(fmt::format("{}.", key)); });
+      const bool is_section = std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
+        return s.key.starts_with(fmt::format("{}.", key));
+      });
       if (!is_section) {
         throw configuration_error(place, fmt::format("unknown key '{}'", key),
                                   "'lanefuse run --print-config' lists every key");
@@ -75,7 +77,8 @@ PerceptionConfig default_config(WitnessRule rule) {
   return config;
 }
 
-PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults) {
+PerceptionConfig parse_config(const std::string& yaml, const std::string& name,
+                              const PerceptionConfig& defaults) {
   PerceptionConfig config = defaults;
   const std::vector<Setting> settings = settings_of(config);
   try {
@@ -114,7 +117,9 @@ void set_key(PerceptionConfig& config, const std::string& assignment) {
   config = parse_config(YAML::Dump(root), fmt::format("--set {}", assignment), config);
 }
 
-std::string fingerprint(const PerceptionConfig& config) { return fmt::format("{:016x}", fnv1a(to_yaml(config))); }
+std::string fingerprint(const PerceptionConfig& config) {
+  return fmt::format("{:016x}", fnv1a(to_yaml(config)));
+}
 
 std::string to_yaml(const PerceptionConfig& config) {
   PerceptionConfig copy = config;
@@ -126,11 +131,12 @@ std::string to_yaml(const PerceptionConfig& config) {
     for (std::string part; std::getline(parts, part, '.');) path.push_back(part);
     std::size_t common = 0;
     while (common < open.size() && common + 1 < path.size() && open[common] == path[common]) ++common;
-    for (std::size_t i = common; i + 1 < path.size(); ++i) yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
+    for (std::size_t i = common; i + 1 < path.size(); ++i)
+      yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
     open.assign(path.begin(), path.end() - 1);
     const std::string unit = setting.unit.empty() ? "" : fmt::format(" [{}]", setting.unit);
-    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(), setting.effect,
-                        unit, setting.allowed);
+    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(),
+                        setting.effect, unit, setting.allowed);
   }
   return yaml;
 }

@@ -58,7 +58,12 @@ class FusionDrive {
     return fusion_.process({now_, motion_, sets}, [](Stage) {});
   }
 
-  [[nodiscard]] FeatureFusion& fusion() { return fusion_; }
+  /// As after construction, but at a later time.
+  void restart() {
+    motion_.clear();
+    fusion_.reset();
+  }
+
   [[nodiscard]] const FeatureFusion& fusion() const { return fusion_; }
   [[nodiscard]] const SlidingWindow& window() const { return fusion_.window(); }
   [[nodiscard]] const PoseGraph& graph() const { return fusion_.window().graph(); }

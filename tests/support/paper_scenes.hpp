@@ -42,8 +42,8 @@ inline std::unique_ptr<FusionDrive> graph_slam_example() {
   FusionConfig config = thorough();
   config.keyframe_distance = 8;
   auto drive = std::make_unique<FusionDrive>(config);
-  drive->step({0, 0, 0}, {serial_set(*drive, -1.75, 26, 26), vehicle_set(*drive, 14, 3.6)});
-  drive->step({8, 0, 0}, {drive->set(Source::high_resolution_camera, {feature_at({18.2, -1.8, 0.002})}, 2),
+  drive->step({0, 0, 0}, {serial_set(*drive, -1.75, 19, 19), vehicle_set(*drive, 14, 3.6)});
+  drive->step({8, 0, 0}, {drive->set(Source::high_resolution_camera, {feature_at({11.2, -1.8, 0.002})}, 2),
                           vehicle_set(*drive, 14, 3.6)});
   return drive;
 }
