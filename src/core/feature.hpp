@@ -42,10 +42,11 @@ struct MarkingEvidence {
 
 inline constexpr std::int64_t kNoTrack = -1;
 
-/// The generic lane feature [IROS16, eq. 1]: f = [x, y, theta, c, Sigma], in the vehicle frame at its set's stamp.
+/// The generic lane feature [IROS16, eq. 1]: f = [x, y, theta, c, Sigma], in the vehicle frame at its set's
+/// stamp.
 ///
-/// `track_id` and `side` let the fusion tie features of one witness together (width and smoothing edges) without
-/// knowing any sensor.
+/// `track_id` and `side` let the fusion tie features of one witness together (width and smoothing edges)
+/// without knowing any sensor.
 struct Feature {
   double x = 0;           ///< [m] forward
   double y = 0;           ///< [m] left

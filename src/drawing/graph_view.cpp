@@ -106,7 +106,8 @@ void draw_nodes(SvgWriter& svg, const Axes& axes, const std::vector<GraphNode>& 
       svg.line(at, at + kHeadingTick * along.normalized(), fmt::format("pen-{} medium", node_colour(kind)));
     }
     draw_marker(svg, node_marker(kind), at, 4.5, node_colour(kind));
-    if (!node.label.empty()) svg.text(at + Pixel(0, 18), node.label, "tick ink-text", Anchor::middle);
+    const Pixel label_at = at + Pixel(0, node.label_above ? -10 : 18);
+    if (!node.label.empty()) svg.text(label_at, node.label, "tick ink-text", Anchor::middle);
   }
 }
 

@@ -19,6 +19,7 @@ struct GraphNode {
   std::string label;
   std::string kind;
   std::optional<double> heading;  ///< [rad] drawn as a short tick
+  bool label_above = false;       ///< instead of below, where an edge would cross it
 };
 
 struct GraphEdge {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "fusion/clothoid_sampling.hpp"
 #include "fusion/constraints.hpp"
 
@@ -15,16 +17,26 @@ namespace {
 /// How far beyond its ends the dead reckoning may be stretched to a measurement's stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
 
-bool is_finite(const Feature& feature) {
-  return std::isfinite(feature.x) && std::isfinite(feature.y) && std::isfinite(feature.heading) &&
-         feature.covariance.allFinite() && feature.covariance.diagonal().minCoeff() > 0;
+constexpr double kFarthest = 1000;  ///< [m] no sensor of a car reaches so far
+
+/// One number that is none, or a covariance that is not positive definite, would keep the whole window from
+/// being solved for as long as it is in there.
+bool is_possible(const Feature& feature) {
+  return std::abs(feature.x) < kFarthest && std::abs(feature.y) < kFarthest &&
+         std::isfinite(feature.heading) && feature.confidence >= 0 && feature.confidence <= 1 &&
+         feature.covariance.allFinite() && feature.covariance.llt().info() == Eigen::Success;
+}
+
+bool is_possible(const ClothoidMeasurement& measurement) {
+  return std::isfinite(measurement.range_begin) && std::isfinite(measurement.range_end);
 }
 
 Pose2 pose_of(const Feature& feature) { return {feature.x, feature.y, feature.heading}; }
 
 }  // namespace
 
-/// Where a set's features are tied to the window: the keyframe nearest to their stamp, and the way from there.
+/// Where a set's features are tied to the window: the keyframe nearest to their stamp, and the way from
+/// there.
 struct FeatureFusion::Attachment {
   const FeatureSet& set;
   VertexId keyframe;
@@ -37,7 +49,8 @@ FeatureFusion::FeatureFusion(const FusionConfig& config, std::unique_ptr<GraphSo
 
 FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done) {
   FusionResult result;
-  result.has_motion = !cycle.motion.empty() && pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle_);
+  result.has_motion =
+      !cycle.motion.empty() && pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle_);
   if (!result.has_motion) return result;
 
   window_.advance(cycle.time, odometry_from_vehicle_);
@@ -47,7 +60,8 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
   const Pose2 vehicle_from_window = odometry_from_vehicle_.inverse();
   const auto& vertices = window_.graph().vertices;
   for (VertexId id = 0; id < vertices.size(); ++id) {
-    if (vertices[id].role == VertexRole::landmark) association_.add(id, vehicle_from_window * vertices[id].pose);
+    if (vertices[id].role == VertexRole::landmark)
+      association_.add(id, vehicle_from_window * vertices[id].pose);
   }
   for (const FeatureSet& set : cycle.features) add_set(set, cycle, result.features);
   stage_done(Stage::association);
@@ -60,17 +74,18 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
 
 void FeatureFusion::add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting) {
   sampled_ = set.features;
-  for (const ClothoidMeasurement& clothoid : set.clothoids) sample_clothoid(clothoid, config_.sample_spacing, sampled_);
+  for (const ClothoidMeasurement& clothoid : set.clothoids) {
+    if (is_possible(clothoid)) {
+      sample_within_reach(clothoid);
+    } else {
+      ++accounting.rejected;
+    }
+  }
 
   Pose2 odometry_from_measured;
-  const std::size_t room = config_.max_features - std::min<std::size_t>(config_.max_features, window_.feature_count());
   if (!pose_at(cycle.motion, set.measured_at, kReach, odometry_from_measured)) {
     accounting.dropped += sampled_.size();
     return;
-  }
-  if (sampled_.size() > room) {
-    accounting.dropped += sampled_.size() - room;
-    sampled_.resize(room);
   }
   const VertexId keyframe = window_.nearest_keyframe(set.measured_at);
   const Pose2 keyframe_from_odometry = window_.vertex(keyframe).odometry_from_vehicle.inverse();
@@ -79,11 +94,19 @@ void FeatureFusion::add_set(const FeatureSet& set, const Cycle& cycle, InputAcco
   association_.begin_set();
   vertex_of_.clear();
   for (const Feature& feature : sampled_) {
-    const bool good = is_finite(feature);
-    vertex_of_.push_back(good ? add_feature(feature, at) : SlidingWindow::kForgotten);
-    ++(good ? accounting.used : accounting.rejected);
+    const bool possible = is_possible(feature);
+    vertex_of_.push_back(possible ? add_feature(feature, at) : SlidingWindow::kForgotten);
+    const bool used = vertex_of_.back() != SlidingWindow::kForgotten;
+    ++(used ? accounting.used : possible ? accounting.dropped : accounting.rejected);
   }
   tie(set);
+}
+
+void FeatureFusion::sample_within_reach(ClothoidMeasurement clothoid) {
+  // Also bounds how many samples a wild range can bring.
+  clothoid.range_begin = std::max(clothoid.range_begin, -config_.drop_behind);
+  clothoid.range_end = std::min(clothoid.range_end, config_.drop_beyond);
+  sample_clothoid(clothoid, config_.sample_spacing, sampled_);
 }
 
 VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at) {
@@ -92,10 +115,12 @@ VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at
   const Pose2 window_from_feature = window_.graph().vertices[at.keyframe].pose * measurement;
   const Pose2 in_vehicle = at.current_vehicle_from_window * window_from_feature;
   const std::optional<VertexId> known = association_.claim(in_vehicle, information);
+  if (!known && window_.feature_count() >= config_.max_features) return SlidingWindow::kForgotten;
   const VertexId vertex = known ? *known : window_.add_feature(window_from_feature, at.set.measured_at);
   if (!known) association_.add_claimed(vertex, in_vehicle);
-  window_.add_measurement({at.keyframe, vertex, measurement, information},
-                          {EdgeKind::measurement, at.set.source, at.set.sensor_id, feature.track_id, feature.side});
+  window_.add_measurement(
+      {at.keyframe, vertex, measurement, information},
+      {EdgeKind::measurement, at.set.source, at.set.sensor_id, feature.track_id, feature.side});
   remember(vertex, feature, at);
   return vertex;
 }
@@ -135,8 +160,8 @@ void FeatureFusion::smooth(const Feature& feature, VertexId vertex) {
   const auto [entry, is_new] = last_of_track_.try_emplace({feature.track_id, feature.side}, vertex);
   const VertexId previous = std::exchange(entry->second, vertex);
   if (is_new || previous == vertex) return;
-  // The paper's target is 0 [eq. 10]: along the road nothing is said, and one cycle's turn of the road is far below
-  // the heading's sigma.
+  // The paper's target is 0 [eq. 9]: along the road nothing is said, and one cycle's turn of the road is far
+  // below the heading's sigma.
   window_.add_tie({previous, vertex, Pose2{}, smoothing_information(config_)},
                   {EdgeKind::smoothing, feature.source, 0, feature.track_id, feature.side});
 }
@@ -151,7 +176,8 @@ void FeatureFusion::read_out() {
   const Pose2 vehicle_from_window = odometry_from_vehicle_.inverse();
   information_.assign(graph.vertices.size(), Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    if (window_.origin(i).kind == EdgeKind::measurement) information_[graph.edges[i].to] += graph.edges[i].information;
+    if (window_.origin(i).kind == EdgeKind::measurement)
+      information_[graph.edges[i].to] += graph.edges[i].information;
   }
   fused_.clear();
   for (VertexId id = 0; id < graph.vertices.size(); ++id) {
@@ -178,13 +204,15 @@ void FeatureFusion::switch_states(std::vector<SwitchState>& out) const {
     if (origin.kind != EdgeKind::smoothing) continue;
     const Edge& edge = graph.edges[i];
     const double value = edge.switch_index == kNoSwitch ? 1 : graph.switches[edge.switch_index].value;
-    out.push_back({origin.track_id, origin.side, vehicle_from_window * graph.vertices[edge.from].pose.position(),
+    out.push_back({origin.track_id, origin.side,
+                   vehicle_from_window * graph.vertices[edge.from].pose.position(),
                    vehicle_from_window * graph.vertices[edge.to].pose.position(), value});
   }
 }
 
 GraphSize FeatureFusion::size() const {
-  return {static_cast<std::uint32_t>(window_.keyframe_count()), static_cast<std::uint32_t>(window_.feature_count()),
+  return {static_cast<std::uint32_t>(window_.keyframe_count()),
+          static_cast<std::uint32_t>(window_.feature_count()),
           static_cast<std::uint32_t>(window_.graph().edges.size())};
 }
 

@@ -37,7 +37,8 @@ VertexId SlidingWindow::nearest_keyframe(Time time) const {
 }
 
 Pose2 SlidingWindow::window_from_vehicle(VertexId keyframe, const Pose2& odometry_from_vehicle) const {
-  return graph_.vertices[keyframe].pose * (vertices_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
+  return graph_.vertices[keyframe].pose *
+         (vertices_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
 }
 
 VertexId SlidingWindow::add_feature(const Pose2& window_from_feature, Time measured_at) {
@@ -52,12 +53,12 @@ void SlidingWindow::append(const Edge& edge, const EdgeOrigin& origin) {
 }
 
 void SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
-  // Edges of one keyframe stand together at the end: the search stops at the keyframe before.
-  const Time now = vertices_[edge.from].time;
+  // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it
+  // came.
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
     const Edge& other = graph_.edges[i];
+    if (origins_[i].kind == EdgeKind::odometry && other.to == edge.from) break;
     if (origins_[i].kind != EdgeKind::measurement) continue;
-    if (vertices_[other.from].time < now) break;
     const bool same = other.from == edge.from && other.to == edge.to && origins_[i].source == origin.source &&
                       origins_[i].sensor_id == origin.sensor_id;
     if (!same) continue;
@@ -73,7 +74,10 @@ void SlidingWindow::add_tie(const Edge& edge, const EdgeOrigin& origin) {
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
     if (origins_[i].kind != origin.kind) continue;
     const Edge& other = graph_.edges[i];
-    if (other.from == edge.from && other.to == edge.to) return;
+    const bool same = other.from == edge.from && other.to == edge.to;
+    const bool reverse = other.from == edge.to && other.to == edge.from;
+    // Smoothing says the same in both directions; a width has a left and a right end.
+    if (same || (reverse && origin.kind == EdgeKind::smoothing)) return;
   }
   Edge tie = edge;
   if (origin.kind == EdgeKind::smoothing && config_.switchable) {
@@ -95,10 +99,11 @@ void SlidingWindow::forget_features(Time now, const Pose2& vehicle_from_odometry
   const Duration max_age = from_seconds(config_.drop_age_s);
   for (VertexId id = 0; id < vertices_.size(); ++id) {
     if (vertices_[id].role != VertexRole::landmark) continue;
-    const Eigen::Vector2d position = vehicle_from_odometry * graph_.vertices[id].pose.position();
+    const Pose2& pose = graph_.vertices[id].pose;
+    const Eigen::Vector2d position = vehicle_from_odometry * pose.position();
     const bool near = position.x() > -config_.drop_behind && position.x() < config_.drop_beyond &&
-                      std::abs(position.y()) < config_.drop_lateral;
-    // Written so that a position that is not a number goes, too.
+                      std::abs(position.y()) < config_.drop_lateral && std::isfinite(pose.heading);
+    // Written so that a pose that is not a number goes, too.
     if (!near || now - vertices_[id].time > max_age) renumbered_[id] = kForgotten;
   }
 }
@@ -133,7 +138,8 @@ void SlidingWindow::bridge(std::size_t keyframe) {
     if (graph_.edges[i].from == gone) out_of = &graph_.edges[i];
   }
   assert(into && out_of);
-  // Cov(a*b) with the first step's heading error swinging the second step's end; in the composed measurement's frame.
+  // Cov(a*b) with the first step's heading error swinging the second step's end; in the composed
+  // measurement's frame.
   Eigen::Matrix3d first = Eigen::Matrix3d::Identity();
   const Pose2 back = out_of->measurement.inverse();
   first.topLeftCorner<2, 2>() = rotation(back.heading);
@@ -163,7 +169,8 @@ void SlidingWindow::compact() {
   std::uint32_t switch_count = 0;
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     Edge edge = graph_.edges[i];
-    const bool stays = edge.from != edge.to && renumbered_[edge.from] != kForgotten && renumbered_[edge.to] != kForgotten;
+    const bool stays =
+        edge.from != edge.to && renumbered_[edge.from] != kForgotten && renumbered_[edge.to] != kForgotten;
     if (!stays) continue;
     edge.from = renumbered_[edge.from];
     edge.to = renumbered_[edge.to];

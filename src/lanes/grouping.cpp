@@ -30,7 +30,7 @@ void Grouping::assign(std::span<const Feature> features, std::span<const FitRole
     double nearest = config_.group_gate;
     for (std::size_t b = 0; b < offsets.size(); ++b) {
       const double distance = std::abs(offset - offsets[b]);
-      if (distance >= nearest) continue;
+      if (!(distance < nearest)) continue;  // nor if it is not a number
       nearest = distance;
       groups_[i] = static_cast<int>(b);
     }

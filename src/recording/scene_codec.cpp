@@ -72,7 +72,8 @@ void draw_boundaries(const LaneEstimate& estimate, foxglove::SceneEntity& entity
   }
 }
 
-/// A short dash along its heading for each feature; all of one colour are one primitive, as there may be thousands.
+/// A short dash along its heading for each feature; all of one colour are one primitive, as there may be
+/// thousands.
 void draw_features(const DebugView& view, foxglove::SceneEntity& entity) {
   constexpr std::size_t kOutliers = kSourceCount;
   constexpr double kHalfDash = 0.4;  // [m]

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "support/paper_scenes.hpp"
+
+namespace lanefuse {
+namespace {
+
+using testing::edges_of;
+using testing::FusionDrive;
+
+FusionConfig without(bool FusionConfig::*edges) {
+  FusionConfig config;
+  config.*edges = false;
+  return config;
+}
+
+void follow_a_vehicle(FusionDrive& drive, int cycles) {
+  for (int i = 0; i < cycles; ++i) drive.step({3.0 * i, 0, 0}, {testing::vehicle_set(drive, 30, 0)});
+}
+
+TEST(Ties, StandBetweenTheSidesAndAlongTheWayOfAWitness) {
+  FusionDrive drive;
+  follow_a_vehicle(drive, 4);
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::width).size(), 4U);
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 6U);
+  for (const std::size_t i : edges_of(drive.window(), EdgeKind::width)) {
+    const Edge& edge = drive.graph().edges[i];
+    EXPECT_EQ(drive.window().vertex(edge.from).side, Side::right);
+    EXPECT_EQ(drive.window().vertex(edge.to).side, Side::left);
+    EXPECT_NEAR(testing::error_of(drive.graph(), i).y(), 0, 1e-9);
+  }
+  for (const std::size_t i : edges_of(drive.window(), EdgeKind::smoothing)) {
+    const Edge& edge = drive.graph().edges[i];
+    EXPECT_EQ(drive.window().vertex(edge.from).side, drive.window().vertex(edge.to).side);
+    EXPECT_NEAR(drive.graph().vertices[edge.to].pose.x - drive.graph().vertices[edge.from].pose.x, 3, 1e-6);
+  }
+}
+
+TEST(Ties, AreLeftOutAsConfigured) {
+  FusionDrive no_width(without(&FusionConfig::width_edges));
+  follow_a_vehicle(no_width, 4);
+  EXPECT_TRUE(edges_of(no_width.window(), EdgeKind::width).empty());
+  EXPECT_FALSE(edges_of(no_width.window(), EdgeKind::smoothing).empty());
+  FusionDrive no_smoothing(without(&FusionConfig::smoothing_edges));
+  follow_a_vehicle(no_smoothing, 4);
+  EXPECT_TRUE(edges_of(no_smoothing.window(), EdgeKind::smoothing).empty());
+  EXPECT_FALSE(edges_of(no_smoothing.window(), EdgeKind::width).empty());
+}
+
+TEST(Ties, LeaveOutAWitnessOfUnknownWidthAndFeaturesOfNoTrack) {
+  FusionDrive drive;
+  for (int i = 0; i < 4; ++i) {
+    drive.step({3.0 * i, 0, 0},
+               {drive.set(Source::objects, testing::vehicle_features(30, 0)),
+                drive.set(Source::high_resolution_camera, {testing::feature_at({50, 9, 0})})});
+  }
+  EXPECT_TRUE(edges_of(drive.window(), EdgeKind::width).empty());
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 6U);
+}
+
+TEST(Ties, SurviveTheLossOfTheirPast) {
+  FusionDrive drive;
+  follow_a_vehicle(drive, 60);  // 177 m: the first features are long behind
+  const GraphSize size = drive.fusion().size();
+  EXPECT_LT(size.features, 2 * 15U);
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), size.features - 2);
+}
+
+TEST(SwitchStates, TellWhereAWitnessJumped) {
+  FusionDrive drive;
+  for (int i = 0; i < 8; ++i) {
+    drive.step({3.0 * i, 0, 0}, {testing::vehicle_set(drive, 30, i < 4 ? 3.5 : 0.0)});
+  }
+  std::vector<SwitchState> states;
+  drive.fusion().switch_states(states);
+  ASSERT_EQ(states.size(), 2U * 7);
+  for (const SwitchState& state : states) {
+    const bool jumped = std::abs(state.from.y() - state.to.y()) > 1;
+    EXPECT_EQ(state.value < 0.5, jumped) << state.from.x();
+    EXPECT_EQ(state.track_id, 7);
+    EXPECT_NEAR(state.to.x() - state.from.x(), 3, 0.01) << "in the vehicle frame";
+  }
+}
+
+}  // namespace
+}  // namespace lanefuse
