@@ -66,6 +66,38 @@ TEST(CycleClock, GoesAtTheConfiguredPace) {
   }
 }
 
+ObjectList vehicles(int measured, int received) {
+  return {{at(measured), at(received), 3}, {TrackedObject{1, 40, 0, 0, 30}}};
+}
+
+/// What became of a list that was measured at 0 and received now, and once more before if it comes twice.
+InputAccounting fate_of_late_list(double reorder_window_s, int received, bool twice) {
+  PerceptionConfig config = at_10_hz();
+  config.reorder_window_s = reorder_window_s;
+  MultiLanePerception perception(config, {});
+  InputAccounting inputs;
+  for (int ms = 0; ms <= received + 100; ms += 20) {
+    while (const LaneEstimate* lanes = perception.advance(at(ms))) inputs = lanes->inputs;
+    perception.add(motion(ms));
+    perception.add(vehicles(ms + 1, ms + 1));
+    if (ms == received || (twice && ms == 0)) perception.add(vehicles(0, ms));
+  }
+  const LaneEstimate* lanes = perception.advance(at(received + 200));
+  EXPECT_NE(lanes, nullptr);
+  return inputs;
+}
+
+TEST(ReorderWindow, DropsWhatComesLater) {
+  EXPECT_EQ(fate_of_late_list(0.2, 100, false), (InputAccounting{11, 0, 0}));
+  EXPECT_EQ(fate_of_late_list(0.2, 300, false), (InputAccounting{10, 0, 1}));
+  EXPECT_EQ(fate_of_late_list(0.5, 300, false), (InputAccounting{11, 0, 0}));
+}
+
+TEST(ReorderWindow, KnowsForAsLongWhatItHasSeen) {
+  EXPECT_EQ(fate_of_late_list(2, 1500, false), (InputAccounting{11, 0, 0}));
+  EXPECT_EQ(fate_of_late_list(2, 1500, true), (InputAccounting{10, 0, 1}));
+}
+
 TEST(CycleClock, SaysWhatTheCarDid) {
   MultiLanePerception perception(at_10_hz(), {});
   for (int ms = 0; ms <= 100; ms += 10) perception.add(VehicleMotion{{at(ms), at(ms), 0}, 25.0, 0.1});
