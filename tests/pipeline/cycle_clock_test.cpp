@@ -119,5 +119,21 @@ TEST(CycleClock, CountsCallsOfItsStages) {
               ::testing::ElementsAre(Stage::sources, Stage::association, Stage::solve, Stage::lane_model));
 }
 
+TEST(CycleClock, StepsOverAHoleInsteadOfFillingIt) {
+  MultiLanePerception perception(at_10_hz(), {});
+  perception.add(motion(0));
+  const int day = 24 * 3600 * 1000;
+  EXPECT_LT(cycles_until(perception, day).size(), 3U);
+}
+
+TEST(CycleClock, DropsWhatAClockThatJumpedBackStamps) {
+  MultiLanePerception perception(at_10_hz(), {});
+  perception.add(motion(60'000));
+  perception.add(motion(0));
+  const LaneEstimate* lanes = perception.advance(at(60'200));
+  ASSERT_NE(lanes, nullptr);
+  EXPECT_EQ(lanes->inputs, (InputAccounting{1, 0, 1}));
+}
+
 }  // namespace
 }  // namespace lanefuse
