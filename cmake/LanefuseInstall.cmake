@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Installs the libraries as lanefuse::core, lanefuse::pipeline, ... for find_package(lanefuse), their headers as
-# <lanefuse/ROOM/...>, and the program.
+# <lanefuse/ROOM/...>. The program installs itself (src/cli).
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -12,9 +12,6 @@ set(lanefuse_package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/lanefuse)
 list(TRANSFORM lanefuse_rooms PREPEND lanefuse_ OUTPUT_VARIABLE lanefuse_targets)
 install(TARGETS ${lanefuse_targets} EXPORT lanefuse-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT lanefuse-targets NAMESPACE lanefuse:: DESTINATION ${lanefuse_package_directory})
-if(TARGET lanefuse)
-  install(TARGETS lanefuse RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 
 # Our own sources say "core/pose2.hpp"; users say <lanefuse/core/pose2.hpp>, and so do the headers that they get.
 install(CODE "

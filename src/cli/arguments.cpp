@@ -19,12 +19,14 @@ namespace {
 
 /// The command line with room for what it is parsed into.
 struct CommandLine {
-  CLI::App app{"Lanefuse sees the lanes of a highway, the car's own and its neighbours', out to 120 m: from cameras,\n"
-               "radars, the traffic around it, and its own motion.\n\n"
-               "A first drive:\n"
-               "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
-               "  lanefuse run drive.mcap -o lanes.mcap\n"
-               "  lanefuse evaluate lanes.mcap --truth exact"};
+  CLI::App app{
+      "Lanefuse sees the lanes of a highway, the car's own and its neighbours', out to 120 m: from cameras,\n"
+      "radars, the traffic around it, and its own motion.\n\n"
+      "A first drive:\n"
+      "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
+      "  lanefuse run drive.mcap -o lanes.mcap\n"
+      "  lanefuse evaluate lanes.mcap --truth exact",
+      "lanefuse"};
   SimulateOptions simulate;
   ImportOptions import;
   RunOptions run;
@@ -35,6 +37,20 @@ struct CommandLine {
   std::function<int()> action;
 };
 
+/// CLI11 reads "-1" into an unsigned number as 2^64 - 1, and names the largest double as its own check's
+/// other end.
+std::string not_negative(const std::string& text) {
+  return text.rfind('-', 0) == 0 ? text + " is below 0" : "";
+}
+
+/// One of the subcommands must be named. CLI11's own check would call an unknown name a missing one.
+void demand_subcommand(CLI::App& app) {
+  app.require_subcommand(0, 1);
+  app.parse_complete_callback([&app] {
+    if (app.get_subcommands().empty() && app.remaining().empty()) throw CLI::RequiredError::Subcommand(1);
+  });
+}
+
 template <typename Options>
 void add_common(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "print the result as JSON on standard output");
@@ -44,22 +60,37 @@ void add_common(CLI::App& command, Options& options) {
 template <typename Options, typename Command>
 void finish(CLI::App& command, CommandLine& line, Options& options, Command run_command) {
   add_common(command, options);
-  command.callback([&line, &options, run_command] { line.action = [&options, run_command] { return run_command(options); }; });
+  command.callback([&line, &options, run_command] {
+    line.action = [&options, run_command] { return run_command(options); };
+  });
 }
 
 void add_simulate(CommandLine& line) {
   SimulateOptions& options = line.simulate;
   SimulationConfig& config = options.simulation;
-  CLI::App& command = *line.app.add_subcommand("simulate", "simulate a drive on a motorway, with exact truth");
-  command.add_option("--seed", config.seed, "the same seed gives the same bytes")->capture_default_str();
-  command.add_option("--km", config.km, "length of the drive [km]")->capture_default_str()->check(CLI::Range(0.05, 1000.0));
-  command.add_option("--road", config.road, "curves of the road: gentle (radii 1.8-8 km) or curved (0.6-5 km)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, RoadKind>{{"gentle", RoadKind::gentle}, {"curved", RoadKind::curved}}))
+  CLI::App& command =
+      *line.app.add_subcommand("simulate", "simulate a drive on a motorway, with exact truth");
+  command.add_option("--seed", config.seed, "the same seed gives the same bytes")
+      ->capture_default_str()
+      ->check(not_negative);
+  command.add_option("--km", config.km, "length of the drive [km]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.05, 1000.0));
+  const auto set_road = [&config](const std::string& name) {
+    config.road = name == "curved" ? RoadKind::curved : RoadKind::gentle;
+  };
+  command
+      .add_option_function<std::string>("--road", set_road,
+                                        "curves of the road: gentle (radii 1.8-8 km) or curved (0.6-5 km)")
+      ->check(CLI::IsMember({"gentle", "curved"}))
       ->default_str("gentle");
-  command.add_flag("!--no-serial-camera", config.serial_camera, "leave out the serial camera");
-  command.add_flag("!--no-high-resolution-camera", config.high_resolution_camera, "leave out the high-resolution camera");
-  command.add_flag("!--no-objects", config.objects, "leave out the object lists");
+  const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
+    command.add_flag_callback(
+        flag, [&sensor] { sensor = false; }, "leave out the " + what);
+  };
+  leave_out("--no-serial-camera", config.serial_camera, "serial camera");
+  leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
+  leave_out("--no-objects", config.objects, "object lists");
   command.add_option("-o,--output", options.output, "the recording to write (.mcap)")->required();
   finish(command, line, options, simulate);
 }
@@ -67,9 +98,11 @@ void add_simulate(CommandLine& line) {
 void add_import(CommandLine& line) {
   ImportOptions& options = line.import;
   CLI::App& import = *line.app.add_subcommand("import", "turn a public data set's drive into a recording");
-  import.require_subcommand(1);
-  CLI::App& command = *import.add_subcommand("comma2k19", "one minute of comma2k19: radar, speed, gyro; poses as truth");
-  command.add_option("directory", options.directory, "a segment, or a folder that holds exactly one")->required();
+  demand_subcommand(import);
+  CLI::App& command =
+      *import.add_subcommand("comma2k19", "one minute of comma2k19: radar, speed, gyro; poses as truth");
+  command.add_option("directory", options.directory, "a segment, or a folder that holds exactly one")
+      ->required();
   command.add_option("-o,--output", options.output, "the recording to write (.mcap)")->required();
   finish(command, line, options, import_comma2k19_drive);
 }
@@ -80,9 +113,13 @@ void add_run(CommandLine& line) {
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
-  command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")->expected(1)->take_all();
-  command.add_flag("--print-config", options.print_config, "print every setting with effect, unit and range, and stop");
+  command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
+      ->expected(1)
+      ->take_all();
+  CLI::Option* print_config = command.add_flag("--print-config", options.print_config,
+                                               "print every setting with effect, unit and range, and stop");
   finish(command, line, options, run);
+  print_config->excludes("--json");
   command.callback([&line, &options, drive, output] {
     if (!options.print_config) {
       for (const CLI::Option* needed : {drive, output}) {
@@ -95,13 +132,15 @@ void add_run(CommandLine& line) {
 
 void add_evaluate(CommandLine& line) {
   EvaluateOptions& options = line.evaluate;
-  CLI::App& command = *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
+  CLI::App& command =
+      *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command.add_option("--truth", options.truth, "exact: the simulated road; ego-path: where the car went later")
+  command
+      .add_option("--truth", options.truth, "exact: the simulated road; ego-path: where the car went later")
       ->required()
       ->check(CLI::IsMember({"exact", "ego-path"}));
   command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
-  command.add_option("--report", options.report, "the report to write, else report.html beside the lanes");
+  command.add_option("-o,--report", options.report, "the report to write, else report.html beside the lanes");
   finish(command, line, options, evaluate);
 }
 
@@ -109,7 +148,9 @@ void add_plot(CommandLine& line) {
   PlotOptions& options = line.plot;
   CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command.add_option("--at", options.at, "seconds since the first cycle")->capture_default_str()->check(CLI::NonNegativeNumber);
+  command.add_option("--at", options.at, "seconds since the first cycle")
+      ->capture_default_str()
+      ->check(not_negative);
   command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
   command.add_option("-o,--output", options.output, "the picture to write (.svg)")->required();
   finish(command, line, options, plot);
@@ -126,11 +167,12 @@ void add_strip(CommandLine& line) {
 void add_graph(CommandLine& line) {
   GraphSolveOptions& options = line.graph_solve;
   CLI::App& graph = *line.app.add_subcommand("graph", "planar pose graphs, of lanes or of anything");
-  graph.require_subcommand(1);
+  demand_subcommand(graph);
   CLI::App& command = *graph.add_subcommand("solve", "find the optimum of a .g2o file");
   command.add_option("file", options.file, "the graph (.g2o: VERTEX_SE2, EDGE_SE2, FIX)")->required();
   command.add_option("-o,--output", options.output, "the solved graph to write (.g2o)");
-  command.add_option("--max-iterations", options.max_iterations, "Gauss-Newton iterations at most")->capture_default_str();
+  command.add_option("--max-iterations", options.max_iterations, "Gauss-Newton iterations at most")
+      ->capture_default_str();
   command.add_flag("--switchable", options.switchable, "let every loop closure switch off");
   finish(command, line, options, [](const GraphSolveOptions& o) {
     graph_solve(o);
@@ -142,7 +184,7 @@ void add_graph(CommandLine& line) {
 
 std::function<int()> parse_arguments(int argc, char** argv) {
   const auto line = std::make_shared<CommandLine>();
-  line->app.require_subcommand(1);
+  demand_subcommand(line->app);
   line->app.set_version_flag("--version", "lanefuse " LANEFUSE_VERSION);
   add_simulate(*line);
   add_import(*line);

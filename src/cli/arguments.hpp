@@ -8,8 +8,8 @@ namespace lanefuse {
 
 /// What the command line asks for. CLI11 stays behind this: it costs half a minute to compile.
 ///
-/// Wrong use prints its reason to standard error and gives an action that returns 2; --help and --version print and
-/// give one that returns 0.
+/// Wrong use prints its reason to standard error and gives an action that returns 2; --help and --version
+/// print and give one that returns 0.
 std::function<int()> parse_arguments(int argc, char** argv);
 
 }  // namespace lanefuse

@@ -28,8 +28,9 @@ struct Highlights {
 
   void add(const LaneRecord& record) {
     times.push_back(record.estimate.time);
-    const auto off = static_cast<std::size_t>(std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
-                                                            [](const SwitchState& s) { return s.value < 0.5; }));
+    const auto off =
+        static_cast<std::size_t>(std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
+                                               [](const SwitchState& s) { return s.value < 0.5; }));
     if (off <= most_switched_count) return;
     most_switched_count = off;
     most_switched = record.estimate.time;
@@ -38,7 +39,8 @@ struct Highlights {
   [[nodiscard]] std::vector<Time> chosen() const {
     std::vector<Time> moments;
     for (const double share : {0.1, 0.5, 0.9}) {
-      if (!times.empty()) moments.push_back(times[static_cast<std::size_t>(share * static_cast<double>(times.size()))]);
+      if (!times.empty())
+        moments.push_back(times[static_cast<std::size_t>(share * static_cast<double>(times.size()))]);
     }
     if (most_switched_count > 0) moments.push_back(most_switched);
     std::sort(moments.begin(), moments.end());
@@ -67,9 +69,11 @@ Highlights judge_all(const EvaluateOptions& options, Judge&& judge) {
   return highlights;
 }
 
-EvaluationResult judge_exact(const EvaluateOptions& options, const DriveTruth& truth, Highlights& highlights) {
+EvaluationResult judge_exact(const EvaluateOptions& options, const DriveTruth& truth,
+                             Highlights& highlights) {
   if (!truth.road) {
-    throw input_error(options.lanes.string(), "its drive has no exact truth (/truth/road)", "try --truth ego-path");
+    throw input_error(options.lanes.string(), "its drive has no exact truth (/truth/road)",
+                      "try --truth ego-path");
   }
   ExactTruthEvaluation evaluation(*truth.road);
   highlights = judge_all(options, [&](const LaneEstimate& estimate) {
@@ -79,7 +83,8 @@ EvaluationResult judge_exact(const EvaluateOptions& options, const DriveTruth& t
   return evaluation.result();
 }
 
-EvaluationResult judge_ego_path(const EvaluateOptions& options, const DriveTruth& truth, Highlights& highlights) {
+EvaluationResult judge_ego_path(const EvaluateOptions& options, const DriveTruth& truth,
+                                Highlights& highlights) {
   EgoPathEvaluation evaluation(truth.frames);
   highlights = judge_all(
       options, [&](const LaneEstimate& estimate) { evaluation.add(estimate, estimate.witnesses > 0); });
@@ -99,17 +104,18 @@ std::vector<Moment> picture(const EvaluateOptions& options, const LanesAndTruth&
     moment.view.title = fmt::format("{:.1f} s", seconds);
     moment.caption = record.estimate.time == highlights.most_switched && highlights.most_switched_count > 0
                          ? "The moment with the most switched-off smoothing edges: a vehicle changed lane."
-                         : fmt::format("Status {}, {} vehicles bear witness.", to_string(record.estimate.status),
-                                       record.estimate.witnesses);
+                         : fmt::format("Status {}, vehicles that bear witness: {}.",
+                                       to_string(record.estimate.status), record.estimate.witnesses);
     moments.push_back(std::move(moment));
   }
   return moments;
 }
 
-/// A report that was asked for by name must not be there; one at its usual place is then kept, and that is said.
+/// A report that was asked for by name must not be there; one at its usual place is then kept, and that is
+/// said.
 std::optional<std::filesystem::path> report_path(const EvaluateOptions& options) {
   if (options.report) {
-    check_output(*options.report, options.force);
+    check_output(*options.report, options.force, options.lanes);
     return options.report;
   }
   const auto usual = std::filesystem::absolute(options.lanes).parent_path() / "report.html";
@@ -126,10 +132,12 @@ int evaluate(const EvaluateOptions& options) {
   const LanesReader lanes(options.lanes);
   const LanesAndTruth context = find_truth(options.lanes, options.drive);
   if (!context.truth) {
-    throw configuration_error(options.lanes.string(), "the drive that these lanes came from is not to be found",
+    throw configuration_error(options.lanes.string(),
+                              "the drive that these lanes came from is not to be found",
                               "name it with --drive");
   }
-  refuse_damage(options.lanes, context.truth->report);
+  if (report_file) check_output(*report_file, true, context.drive);
+  refuse_damage(context.drive, context.truth->report);
   if (context.truth->frames.empty()) {
     throw input_error(options.lanes.string(), "its drive holds no truth (/truth/frame)");
   }

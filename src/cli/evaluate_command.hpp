@@ -8,7 +8,8 @@
 
 namespace lanefuse {
 
-/// `lanefuse evaluate LANES --truth exact|ego-path`: compares estimated lanes with the truth and writes a report.
+/// `lanefuse evaluate LANES --truth exact|ego-path`: compares estimated lanes with the truth and writes a
+/// report.
 struct EvaluateOptions {
   std::filesystem::path lanes;
   std::string truth;

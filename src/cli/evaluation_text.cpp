@@ -36,16 +36,16 @@ Json consistency_json(const std::vector<ConsistencyStatistics>& all) {
   return list;
 }
 
-Json ego_path_json(const EvaluationResult& result) {
+Json ego_path_json(const EvaluationResult& result, const BaselineStatistics& baselines) {
   Json json;
-  json["baselines"] = {
-      {"straight", statistics_json(result.baselines->straight)},
-      {"arc", statistics_json(result.baselines->arc)},
-      {"straight_where_available", statistics_json(result.baselines->straight_where_available)},
-      {"arc_where_available", statistics_json(result.baselines->arc_where_available)}};
+  json["baselines"] = {{"straight", statistics_json(baselines.straight)},
+                       {"arc", statistics_json(baselines.arc)},
+                       {"straight_where_available", statistics_json(baselines.straight_where_available)},
+                       {"arc_where_available", statistics_json(baselines.arc_where_available)}};
   Json& ahead = json["availability_with_vehicle_ahead"] = Json::array();
   for (const AvailabilityStatistics& s : result.availability_with_vehicle_ahead) {
-    ahead.push_back({{"distance_m", s.distance_m}, {"availability", number(s.availability)}, {"cycles", s.cycles}});
+    ahead.push_back(
+        {{"distance_m", s.distance_m}, {"availability", number(s.availability)}, {"cycles", s.cycles}});
   }
   return json;
 }
@@ -59,17 +59,18 @@ std::string row(const DeviationStatistics& s) {
 }  // namespace
 
 std::string to_json(const EvaluationResult& result) {
-  Json json{{"truth", result.truth},
-            {"drive", result.drive.name},
-            {"witness", to_string(result.drive.witness)},
-            {"preset_hash", result.drive.preset_hash},
-            {"cycles", result.cycles},
-            {"cycles_ok", result.cycles_ok},
-            {"cycles_with_truth", result.cycles_with_truth},
-            {"lanes",
-             {{"ego", statistics_json(result.lanes.ego)}, {"adjacent", statistics_json(result.lanes.adjacent)}}}};
+  Json json{
+      {"truth", result.truth},
+      {"drive", result.drive.name},
+      {"witness", to_string(result.drive.witness)},
+      {"preset_hash", result.drive.preset_hash},
+      {"cycles", result.cycles},
+      {"cycles_ok", result.cycles_ok},
+      {"cycles_with_truth", result.cycles_with_truth},
+      {"lanes",
+       {{"ego", statistics_json(result.lanes.ego)}, {"adjacent", statistics_json(result.lanes.adjacent)}}}};
   if (result.baselines) {
-    json.update(ego_path_json(result));
+    json.update(ego_path_json(result, *result.baselines));
   } else {
     json["wrong_lane_rate"] = number(wrong_lane_rate(result));
     json["false_boundaries_per_frame"] = number(false_boundaries_per_cycle(result));
@@ -91,7 +92,8 @@ std::string to_table(const EvaluationResult& result) {
     const std::string other = path ? fmt::format("{:18.2f} {:4.2f}", result.baselines->straight[i].rmse_m,
                                                  result.baselines->arc[i].rmse_m)
                                    : row(result.lanes.adjacent[i]);
-    text += fmt::format("{:6.0f} m | {} | {}\n", result.lanes.ego[i].distance_m, row(result.lanes.ego[i]), other);
+    text +=
+        fmt::format("{:6.0f} m | {} | {}\n", result.lanes.ego[i].distance_m, row(result.lanes.ego[i]), other);
   }
   return text;
 }

@@ -8,8 +8,8 @@
 
 namespace lanefuse {
 
-/// The result as one line of JSON: `lanes{ego[],adjacent[]}`, `baselines{straight[],arc[]}` and the counts. What is not
-/// known is null.
+/// The result as one line of JSON: `lanes{ego[],adjacent[]}`, `baselines{straight[],arc[]}` and the counts.
+/// What is not known is null.
 std::string to_json(const EvaluationResult& result);
 
 /// The same as a table for a terminal, with Table I's columns.

@@ -3,11 +3,12 @@
 #include "cli/graph_command.hpp"
 
 #include <chrono>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/output_file.hpp"
 #include "core/error.hpp"
 #include "graph/g2o.hpp"
 #include "graph/loops.hpp"
@@ -30,9 +31,7 @@ void check(const GraphSolveOptions& options) {
   if (options.max_iterations < 0) {
     throw configuration_error("--max-iterations", fmt::format("{} is below 0", options.max_iterations));
   }
-  if (options.output && !options.force && std::filesystem::exists(*options.output)) {
-    throw configuration_error(options.output->string(), "is there already", "overwrite it with --force");
-  }
+  if (options.output) check_output(*options.output, options.force, options.file);
 }
 
 nlohmann::ordered_json describe(const SolveResult& result, const PoseGraph& graph, double solve_ms) {
@@ -56,11 +55,9 @@ void print(const SolveResult& result, const PoseGraph& graph, double solve_ms, b
 }
 
 void write(const G2oGraph& solved, const std::filesystem::path& output) {
-  std::ofstream out(output, std::ios::binary);
-  if (!out) throw configuration_error(output.string(), "cannot be written");
-  write_g2o(out, solved);
-  out.close();
-  if (!out) throw configuration_error(output.string(), "could not be written to its end");
+  std::ostringstream text;
+  write_g2o(text, solved);
+  write_text(output, text.str());
 }
 
 }  // namespace
@@ -73,12 +70,12 @@ void graph_solve(const GraphSolveOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const SolveResult result = solver->solve(read.graph, solver_config(options));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-  print(result, read.graph, taken.count(), options.json);
   if (!result.ok()) {
     throw input_error(options.file.string(),
                       fmt::format("the graph cannot be solved: {}", to_string(result.status)));
   }
   if (options.output) write(read, *options.output);
+  print(result, read.graph, taken.count(), options.json);
 }
 
 }  // namespace lanefuse

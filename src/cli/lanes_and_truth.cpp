@@ -27,9 +27,10 @@ std::vector<Eigen::Vector2d> path_in_view(const DriveTruth& truth, Time time) {
 
 }  // namespace
 
-LanesAndTruth find_truth(const std::filesystem::path& lanes, const std::optional<std::filesystem::path>& drive) {
-  LanesAndTruth found{read_sidecar(lanes), {}};
-  std::filesystem::path path;
+LanesAndTruth find_truth(const std::filesystem::path& lanes,
+                         const std::optional<std::filesystem::path>& drive) {
+  LanesAndTruth found{read_sidecar(lanes), {}, {}};
+  std::filesystem::path& path = found.drive;
   if (drive) {
     path = *drive;
   } else if (found.sidecar && std::filesystem::exists(found.sidecar->drive)) {
@@ -40,7 +41,8 @@ LanesAndTruth find_truth(const std::filesystem::path& lanes, const std::optional
   const std::string recorded = DriveReader(path).info().name;
   const std::string estimated = LanesReader(lanes).drive().name;
   if (recorded != estimated) {
-    throw configuration_error(path.string(), fmt::format("is '{}', but the lanes came from '{}'", recorded, estimated),
+    throw configuration_error(path.string(),
+                              fmt::format("is '{}', but the lanes came from '{}'", recorded, estimated),
                               "name the right drive with --drive");
   }
   found.truth = read_truth(path);

@@ -20,7 +20,8 @@ void check_output(const std::filesystem::path& output, bool force, const std::fi
   }
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) {
-    throw configuration_error(output.string(), "cannot be written: its folder is not there", "make " + folder.string());
+    throw configuration_error(output.string(), "cannot be written: its folder is not there",
+                              "make " + folder.string());
   }
 }
 

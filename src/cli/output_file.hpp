@@ -7,8 +7,8 @@
 
 namespace lanefuse {
 
-/// Refuses, with a configuration Error, an output that is there already (unless `force`), that is one of the inputs, or
-/// whose folder is not there. Called before any work is done.
+/// Refuses, with a configuration Error, an output that is there already (unless `force`), that is one of the
+/// inputs, or whose folder is not there. Called before any work is done.
 void check_output(const std::filesystem::path& output, bool force, const std::filesystem::path& input = {});
 
 /// Writes a text file whole or not at all.

@@ -17,14 +17,16 @@ int plot(const PlotOptions& options) {
   check_output(options.output, options.force, options.lanes);
   LanesReader reader(options.lanes);
   const LanesAndTruth context = find_truth(options.lanes, options.drive);
+  check_output(options.output, options.force, context.drive);
   LaneRecord record;
   std::optional<Time> first;
   double seconds = -1;
-  while (seconds + 1e-9 < options.at && reader.next(record)) {
+  const auto reached = [&] { return seconds + 1e-9 >= options.at; };  // never, where --at is no number
+  while (!reached() && reader.next(record)) {
     if (!first) first = record.estimate.time;
     seconds = to_seconds(record.estimate.time - *first);
   }
-  if (seconds + 1e-9 < options.at) {
+  if (!reached()) {
     throw configuration_error(fmt::format("--at {}", options.at),
                               fmt::format("{} ends at {:.2f} s", options.lanes.string(), seconds));
   }
@@ -39,7 +41,8 @@ int plot(const PlotOptions& options) {
                                               {"features", record.debug.features.size()}}
                            .dump());
   } else {
-    fmt::print("{:.2f} s, status {} -> {}\n", seconds, to_string(record.estimate.status), options.output.string());
+    fmt::print("{:.2f} s, status {} -> {}\n", seconds, to_string(record.estimate.status),
+               options.output.string());
   }
   return 0;
 }

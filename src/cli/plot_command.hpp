@@ -10,7 +10,7 @@ namespace lanefuse {
 /// `lanefuse plot LANES --at SECONDS -o FRAME.svg`: draws one moment from above.
 struct PlotOptions {
   std::filesystem::path lanes;
-  double at = 0;  ///< [s] since the first cycle
+  double at = 0;                               ///< [s] since the first cycle
   std::optional<std::filesystem::path> drive;  ///< with the truth; else the one that the run names
   std::filesystem::path output;
   bool json = false;

@@ -38,7 +38,8 @@ class Stopwatch {
 
   [[nodiscard]] const std::vector<double>& cycles() const { return cycles_; }
   [[nodiscard]] double mean(Stage stage) const {
-    return cycles_.empty() ? 0 : stages_[static_cast<std::size_t>(stage)] / static_cast<double>(cycles_.size());
+    return cycles_.empty() ? 0
+                           : stages_[static_cast<std::size_t>(stage)] / static_cast<double>(cycles_.size());
   }
 
  private:
@@ -83,7 +84,8 @@ PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {
 
 void print_json(const RunTotals& totals, const Stopwatch& watch, const PerceptionConfig& config) {
   nlohmann::ordered_json stages;
-  for (int s = 0; s < kStageCount; ++s) stages[to_string(static_cast<Stage>(s))] = watch.mean(static_cast<Stage>(s));
+  for (int s = 0; s < kStageCount; ++s)
+    stages[to_string(static_cast<Stage>(s))] = watch.mean(static_cast<Stage>(s));
   const nlohmann::ordered_json json{
       {"cycles", totals.cycles},
       {"duration_s", totals.duration()},
@@ -93,7 +95,9 @@ void print_json(const RunTotals& totals, const Stopwatch& watch, const Perceptio
         {"max", percentile(watch.cycles(), 1)}}},
       {"stage_ms", stages},
       {"inputs",
-       {{"used", totals.inputs.used}, {"rejected", totals.inputs.rejected}, {"dropped", totals.inputs.dropped}}},
+       {{"used", totals.inputs.used},
+        {"rejected", totals.inputs.rejected},
+        {"dropped", totals.inputs.dropped}}},
       {"graph",
        {{"poses", totals.graph.poses}, {"features", totals.graph.features}, {"edges", totals.graph.edges}}},
       {"witness", to_string(config.sources.objects.witness.rule)},
@@ -111,7 +115,8 @@ void print_text(const RunTotals& totals, const Stopwatch& watch, const RunOption
 }
 
 /// Runs all cycles that are due before `now`.
-void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTotals& totals, LanesWriter& writer) {
+void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTotals& totals,
+             LanesWriter& writer) {
   while (true) {
     watch.begin_cycle();
     const LaneEstimate* lanes = perception.advance(now);
@@ -123,9 +128,10 @@ void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTot
 }
 
 void report_damage(const RunOptions& options, const ReadReport& report) {
-  throw input_error(options.drive.string(), "damaged: " + report.first_problem,
-                    fmt::format("what could be read was fused: {} chunks, {} records and {} messages were lost",
-                                report.chunks_lost, report.records_lost, report.messages_refused));
+  throw input_error(
+      options.drive.string(), "damaged: " + report.first_problem,
+      fmt::format("what could be read was fused: {} chunks, {} records and {} messages were lost",
+                  report.chunks_lost, report.records_lost, report.messages_refused));
 }
 
 }  // namespace
@@ -136,7 +142,8 @@ int run(const RunOptions& options) {
     return 0;
   }
   check_output(options.output, options.force, options.drive);
-  check_output(sidecar_of(options.output), options.force);
+  if (options.config) check_output(options.output, options.force, *options.config);
+  check_output(sidecar_of(options.output), options.force, options.drive);
   DriveReader reader(options.drive);
   const PerceptionConfig config = configure(options, reader.info().witness);
   const WitnessRule witness = config.sources.objects.witness.rule;
@@ -162,7 +169,8 @@ int run(const RunOptions& options) {
     throw input_error(options.drive.string(), "holds less than one cycle of motion", "nothing was written");
   }
   writer.close();
-  write_sidecar(options.output, {options.drive, {totals.duration(), totals.inputs, totals.graph, watch.cycles()}});
+  write_sidecar(options.output,
+                {options.drive, {totals.duration(), totals.inputs, totals.graph, watch.cycles()}});
 
   if (options.json) {
     print_json(totals, watch, config);

@@ -20,7 +20,8 @@ struct RunOptions {
   bool force = false;
 };
 
-/// Throws Error (input) at the end of a drive that was damaged, after all that could be saved of it was fused.
+/// Throws Error (input) at the end of a drive that was damaged, after all that could be saved of it was
+/// fused.
 int run(const RunOptions& options);
 
 }  // namespace lanefuse

@@ -46,7 +46,8 @@ std::optional<RunSidecar> read_sidecar(const std::filesystem::path& lanes) {
     if (json.contains("duration_s")) sidecar.figures.duration_s = json["duration_s"].get<double>();
     if (json.contains("inputs")) {
       const auto& inputs = json["inputs"];
-      sidecar.figures.inputs = InputAccounting{inputs.at("used"), inputs.at("rejected"), inputs.at("dropped")};
+      sidecar.figures.inputs =
+          InputAccounting{inputs.at("used"), inputs.at("rejected"), inputs.at("dropped")};
     }
     if (json.contains("graph")) {
       const auto& graph = json["graph"];

@@ -9,8 +9,8 @@
 
 namespace lanefuse {
 
-/// What a run leaves beside its recording, in NAME.mcap.run.json: everything that the same input does not make the same,
-/// wall-clock times above all, and the way back to the drive with its truth.
+/// What a run leaves beside its recording, in NAME.mcap.run.json: everything that the same input does not
+/// make the same, wall-clock times above all, and the way back to the drive with its truth.
 struct RunSidecar {
   std::filesystem::path drive;
   RunFigures figures;

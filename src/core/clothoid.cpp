@@ -15,7 +15,8 @@ Eigen::RowVector4d lateral_jacobian(double x) { return {1, x, x * x / 2, x * x *
 Eigen::RowVector4d slope_jacobian(double x) { return {0, 1, x, x * x / 2}; }
 
 Clothoid transform(const Clothoid& in_old, const Pose2& old_from_new) {
-  // Walk along the new y axis until it meets the curve; one Newton step is exact to second order in the small heading.
+  // Walk along the new y axis until it meets the curve; one Newton step is exact to second order in the small
+  // heading.
   const double c = std::cos(old_from_new.heading);
   const double s = std::sin(old_from_new.heading);
   double offset = 0;

@@ -16,7 +16,8 @@ class Error : public std::runtime_error {
     input,          ///< bad input: the program exits with 3
   };
 
-  /// `place` says where ("drive.mcap, byte 605"), `problem` what is wrong, `mend` what to do about it (may be empty).
+  /// `place` says where ("drive.mcap, byte 605"), `problem` what is wrong, `mend` what to do about it (may be
+  /// empty).
   Error(Kind kind, const std::string& place, const std::string& problem, const std::string& mend = {})
       : std::runtime_error(place + ": " + problem + (mend.empty() ? "" : "; " + mend)), kind_(kind) {}
 
@@ -26,7 +27,8 @@ class Error : public std::runtime_error {
   Kind kind_;
 };
 
-inline Error configuration_error(const std::string& place, const std::string& problem, const std::string& mend = {}) {
+inline Error configuration_error(const std::string& place, const std::string& problem,
+                                 const std::string& mend = {}) {
   return {Error::Kind::configuration, place, problem, mend};
 }
 

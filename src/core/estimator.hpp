@@ -15,8 +15,8 @@ namespace lanefuse {
 /// All that one cycle may know.
 struct Cycle {
   Time time{};
-  /// Dead reckoning in order of time, reaching back to the oldest stamp in `features`. The frame that they share must
-  /// be the same in every cycle until reset(). Empty where there is no odometry.
+  /// Dead reckoning in order of time, reaching back to the oldest stamp in `features`. The frame that they
+  /// share must be the same in every cycle until reset(). Empty where there is no odometry.
   std::span<const MotionSample> motion;
   std::span<const FeatureSet> features;
 };
@@ -30,8 +30,8 @@ class LaneEstimator {
 
   virtual ~LaneEstimator() = default;
 
-  /// Runs one cycle; `cycle.time` must be later than that of the cycle before. The result is valid until the next
-  /// call. It never throws for bad data: what cannot be believed is rejected and counted.
+  /// Runs one cycle; `cycle.time` must be later than that of the cycle before. The result is valid until the
+  /// next call. It never throws for bad data: what cannot be believed is rejected and counted.
   virtual const LaneEstimate& process(const Cycle& cycle) = 0;
 
   /// Forgets everything, as after construction.

@@ -42,10 +42,11 @@ struct MarkingEvidence {
 
 inline constexpr std::int64_t kNoTrack = -1;
 
-/// The generic lane feature [IROS16, eq. 1]: f = [x, y, theta, c, Sigma], in the vehicle frame at its set's stamp.
+/// The generic lane feature [IROS16, eq. 1]: f = [x, y, theta, c, Sigma], in the vehicle frame at its set's
+/// stamp.
 ///
-/// `track_id` and `side` let the fusion tie features of one witness together (width and smoothing edges) without
-/// knowing any sensor.
+/// `track_id` and `side` let the fusion tie features of one witness together (width and smoothing edges)
+/// without knowing any sensor.
 struct Feature {
   double x = 0;           ///< [m] forward
   double y = 0;           ///< [m] left
@@ -61,7 +62,7 @@ struct Feature {
 
 /// Which boundary of the ego lane a serial camera's clothoid describes, with what the camera knows of it.
 struct ClothoidMeasurement {
-  Clothoid clothoid;  ///< the marking's centre line
+  Clothoid clothoid;  ///< the marking's centre line (in a raw SerialLane: its inner edge)
   /// Covariance of (y0, theta0, c0, c1), symmetric positive semi-definite.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
   double range_begin = 0;  ///< [m] valid from here

@@ -35,7 +35,8 @@ void predict(Gaussian<N>& state, const Eigen::Matrix<double, N, N>& transition,
 /// The innovation of `measurement` = H x + noise(R); for a nonlinear h pass the residual z - h(x) and H at x.
 template <int N, int M>
 Innovation<M> innovation(const Gaussian<N>& state, const Eigen::Matrix<double, M, 1>& residual,
-                         const Eigen::Matrix<double, M, N>& jacobian, const Eigen::Matrix<double, M, M>& noise) {
+                         const Eigen::Matrix<double, M, N>& jacobian,
+                         const Eigen::Matrix<double, M, M>& noise) {
   return {residual, jacobian * state.covariance * jacobian.transpose() + noise};
 }
 

@@ -14,8 +14,8 @@ const Boundary* find_boundary(const LaneEstimate& estimate, std::uint64_t id) {
 }
 
 const Lane* find_lane(const LaneEstimate& estimate, std::uint64_t id) {
-  const auto found =
-      std::find_if(estimate.lanes.begin(), estimate.lanes.end(), [id](const Lane& lane) { return lane.id == id; });
+  const auto found = std::find_if(estimate.lanes.begin(), estimate.lanes.end(),
+                                  [id](const Lane& lane) { return lane.id == id; });
   return found == estimate.lanes.end() ? nullptr : &*found;
 }
 
@@ -23,7 +23,8 @@ const Lane* ego_lane(const LaneEstimate& estimate) {
   for (const Lane& lane : estimate.lanes) {
     const Boundary* left = find_boundary(estimate, lane.left_boundary);
     const Boundary* right = find_boundary(estimate, lane.right_boundary);
-    if (left && right && left->clothoid.lateral_offset > 0 && right->clothoid.lateral_offset <= 0) return &lane;
+    if (left && right && left->clothoid.lateral_offset > 0 && right->clothoid.lateral_offset <= 0)
+      return &lane;
   }
   return nullptr;
 }

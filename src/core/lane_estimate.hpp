@@ -49,12 +49,12 @@ struct Lane {
 enum class EstimateStatus : std::uint8_t { ok = 0, degraded = 1, invalid = 2 };
 enum class StatusReason : std::uint8_t {
   none = 0,
-  warming_up = 1,       ///< too few features seen so far
-  no_motion = 2,        ///< no odometry for this instant: nothing can be moved along
-  no_ego_lane = 3,      ///< lanes, but none that the car is in
-  source_silent = 4,    ///< a source that was there is not
-  solver_failed = 5,    ///< the graph could not be solved; the window was kept as it was
-  no_road_course = 6,   ///< too few features for a base clothoid; the lanes are predicted
+  warming_up = 1,      ///< too few features seen so far
+  no_motion = 2,       ///< no odometry for this instant: nothing can be moved along
+  no_ego_lane = 3,     ///< lanes, but none that the car is in
+  source_silent = 4,   ///< a source that was there is not
+  solver_failed = 5,   ///< the graph could not be solved; the window was kept as it was
+  no_road_course = 6,  ///< too few features for a base clothoid; the lanes are predicted
 };
 const char* to_string(EstimateStatus status);
 const char* to_string(StatusReason reason);
@@ -79,8 +79,8 @@ struct LaneEstimate {
   Time time{};
   EstimateStatus status = EstimateStatus::invalid;
   StatusReason reason = StatusReason::warming_up;
-  double speed = 0;     ///< [m/s] the motion that the cycle assumed
-  double yaw_rate = 0;  ///< [rad/s]
+  double speed = 0;                  ///< [m/s] the motion that the cycle assumed
+  double yaw_rate = 0;               ///< [rad/s]
   std::vector<Boundary> boundaries;  ///< sorted by decreasing lateral offset
   std::vector<Lane> lanes;           ///< from left to right
   std::array<SourceStatus, kSourceCount> sources{};
@@ -88,13 +88,14 @@ struct LaneEstimate {
   std::uint32_t witnesses = 0;  ///< vehicles ahead that bore witness of their lanes in this cycle
 };
 
-/// The lane that the origin of the vehicle frame is in, or null. Derived, never stored: lanes keep their identity while
-/// the car changes between them.
+/// The lane that the origin of the vehicle frame is in, or null. Derived, never stored: lanes keep their
+/// identity while the car changes between them.
 const Lane* ego_lane(const LaneEstimate& estimate);
 const Lane* find_lane(const LaneEstimate& estimate, std::uint64_t id);
 const Boundary* find_boundary(const LaneEstimate& estimate, std::uint64_t id);
 
-/// Points every kPointSpacing on the boundary's clothoid over its valid range, with the clothoid's lateral sigma.
+/// Points every kPointSpacing on the boundary's clothoid over its valid range, with the clothoid's lateral
+/// sigma.
 void sample_points(Boundary& boundary);
 
 /// Inside views of a cycle, for pictures and for those who debug: never needed to use the lanes.
@@ -105,7 +106,7 @@ struct FusedFeature {
   std::uint64_t boundary = 0;  ///< the boundary it was grouped to, 0 for none
 };
 
-/// One switchable smoothing edge [IROS16, eq. 11], between two features of one track's side.
+/// One switchable smoothing edge [IROS16, sec. II-E4], between two features of one track's side.
 struct SwitchState {
   std::int64_t track_id = kNoTrack;
   Side side = Side::none;

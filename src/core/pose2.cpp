@@ -10,6 +10,7 @@ namespace lanefuse {
 double wrap_angle(double angle) {
   constexpr double kPi = std::numbers::pi;
   if (angle >= -kPi && angle < kPi) return angle;
+  if (!std::isfinite(angle)) return angle;
   const double wrapped = std::remainder(angle, 2 * kPi);
   return wrapped >= kPi ? wrapped - 2 * kPi : wrapped;
 }
@@ -55,13 +56,15 @@ Pose2 constant_turn(double speed, double yaw_rate, double seconds) {
 
 Pose2 interpolate(const Pose2& from, const Pose2& to, double fraction) {
   const Pose2 step = from.inverse() * to;
-  // The twist (forward, sideways, turn) that leads from the one to the other in unit time: v = V(turn)^-1 * step.
+  // The twist (forward, sideways, turn) that leads from the one to the other in unit time: v = V(turn)^-1 *
+  // step.
   const double half = 0.5 * step.heading;
   const double cotangent = std::abs(half) < 1e-6 ? 1.0 - half * half / 3.0 : half / std::tan(half);
   const double forward = cotangent * step.x + half * step.y;
   const double sideways = -half * step.x + cotangent * step.y;
   const Pose2 along = constant_turn(1.0, step.heading, fraction);
-  const Pose2 moved{along.x * forward - along.y * sideways, along.y * forward + along.x * sideways, along.heading};
+  const Pose2 moved{along.x * forward - along.y * sideways, along.y * forward + along.x * sideways,
+                    along.heading};
   return from * moved;
 }
 

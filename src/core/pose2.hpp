@@ -36,8 +36,8 @@ Eigen::Matrix3d rotate_covariance(const Eigen::Matrix3d& covariance, double angl
 /// exact on the arc, and stable at yaw rate zero. [IROS16, sec. II-E1]
 Pose2 constant_turn(double speed, double yaw_rate, double seconds);
 
-/// The pose between `from` (fraction 0) and `to` (fraction 1), along the arc of constant turn that joins their
-/// headings. Fractions outside [0, 1] extrapolate.
+/// The pose between `from` (fraction 0) and `to` (fraction 1), along the arc of constant turn that joins
+/// their headings. Fractions outside [0, 1] extrapolate.
 Pose2 interpolate(const Pose2& from, const Pose2& to, double fraction);
 
 }  // namespace lanefuse

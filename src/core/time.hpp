@@ -6,8 +6,8 @@
 
 namespace lanefuse {
 
-/// Recorded time: 64-bit nanoseconds. Every measurement carries two of them, when it was measured and when it was
-/// received; nothing inside the library reads a clock.
+/// Recorded time: 64-bit nanoseconds. Every measurement carries two of them, when it was measured and when it
+/// was received; nothing inside the library reads a clock.
 using Duration = std::chrono::nanoseconds;
 using Time = std::chrono::time_point<std::chrono::system_clock, Duration>;
 

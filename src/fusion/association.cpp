@@ -42,7 +42,8 @@ void FeatureAssociation::begin_set() { ++set_; }
 bool FeatureAssociation::within_gates(const Pose2& offset, double x, double heading_sigma) const {
   const double across = config_.across + config_.across_per_metre * std::max(0.0, x);
   const double heading = config_.heading_deg * std::numbers::pi / 180 + 2 * heading_sigma;
-  return std::abs(offset.x) < config_.along && std::abs(offset.y) < across && std::abs(offset.heading) < heading;
+  return std::abs(offset.x) < config_.along && std::abs(offset.y) < across &&
+         std::abs(offset.heading) < heading;
 }
 
 std::optional<VertexId> FeatureAssociation::claim(const Pose2& measured, const Eigen::Matrix3d& information) {

@@ -12,8 +12,8 @@
 
 namespace lanefuse {
 
-/// Finds the fused feature that a measured one belongs to [IROS16, sec. II-E2: "associated with all existing lane
-/// features"]. Holds the fused features of one cycle in the vehicle frame, in slices along the road.
+/// Finds the fused feature that a measured one belongs to [IROS16, sec. II-E2: "associated with all existing
+/// lane features"]. Holds the fused features of one cycle in the vehicle frame, in slices along the road.
 class FeatureAssociation {
  public:
   explicit FeatureAssociation(const AssociationConfig& config) : config_(config) {}
@@ -30,9 +30,9 @@ class FeatureAssociation {
   /// Starts a new set of measurements: within one set, each fused feature is given away at most once.
   void begin_set();
 
-  /// The feature within all gates with the smallest Mahalanobis distance, or nothing. Gates and distance are taken in
-  /// the frame of `measured`, a pose in the vehicle frame of the cycle; `information` is the measurement's, in that
-  /// frame.
+  /// The feature within all gates with the smallest Mahalanobis distance, or nothing. Gates and distance are
+  /// taken in the frame of `measured`, a pose in the vehicle frame of the cycle; `information` is the
+  /// measurement's, in that frame.
   std::optional<VertexId> claim(const Pose2& measured, const Eigen::Matrix3d& information);
 
  private:

@@ -31,7 +31,6 @@ void sample_clothoid(const ClothoidMeasurement& measurement, double spacing, std
     feature.covariance = Eigen::Vector3d(spacing * spacing / 4, lateral + kSigmaFloor * kSigmaFloor,
                                          turn * turn * heading + kHeadingFloor * kHeadingFloor)
                              .asDiagonal();
-    feature.source = Source::serial_camera;
     feature.marking = measurement.marking;
     features.push_back(feature);
   }

@@ -36,7 +36,8 @@ Pose2 width_target(const LaneWidth& width) { return {0, width.mean, 0}; }
 
 Eigen::Matrix3d width_information(const LaneWidth& width, const FusionConfig& config) {
   const double heading = kDegree * config.width_heading_deg;
-  const double variance = width.standard_deviation * width.standard_deviation + config.width_sigma * config.width_sigma;
+  const double variance =
+      width.standard_deviation * width.standard_deviation + config.width_sigma * config.width_sigma;
   return Eigen::Vector3d(0, 1 / variance, 1 / (heading * heading)).asDiagonal();
 }
 

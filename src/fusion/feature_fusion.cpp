@@ -19,12 +19,12 @@ constexpr Duration kReach = std::chrono::milliseconds(100);
 
 constexpr double kFarthest = 1000;  ///< [m] no sensor of a car reaches so far
 
-/// One number that is none, or a covariance that is not positive definite, would keep the whole window from being
-/// solved for as long as it is in there.
+/// One number that is none, or a covariance that is not positive definite, would keep the whole window from
+/// being solved for as long as it is in there.
 bool is_possible(const Feature& feature) {
-  return std::abs(feature.x) < kFarthest && std::abs(feature.y) < kFarthest && std::isfinite(feature.heading) &&
-         feature.confidence >= 0 && feature.confidence <= 1 && feature.covariance.allFinite() &&
-         feature.covariance.llt().info() == Eigen::Success;
+  return std::abs(feature.x) < kFarthest && std::abs(feature.y) < kFarthest &&
+         std::isfinite(feature.heading) && feature.confidence >= 0 && feature.confidence <= 1 &&
+         feature.covariance.allFinite() && feature.covariance.llt().info() == Eigen::Success;
 }
 
 bool is_possible(const ClothoidMeasurement& measurement) {
@@ -35,7 +35,8 @@ Pose2 pose_of(const Feature& feature) { return {feature.x, feature.y, feature.he
 
 }  // namespace
 
-/// Where a set's features are tied to the window: the keyframe nearest to their stamp, and the way from there.
+/// Where a set's features are tied to the window: the keyframe nearest to their stamp, and the way from
+/// there.
 struct FeatureFusion::Attachment {
   const FeatureSet& set;
   VertexId keyframe;
@@ -48,7 +49,8 @@ FeatureFusion::FeatureFusion(const FusionConfig& config, std::unique_ptr<GraphSo
 
 FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done) {
   FusionResult result;
-  result.has_motion = !cycle.motion.empty() && pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle_);
+  result.has_motion =
+      !cycle.motion.empty() && pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle_);
   if (!result.has_motion) return result;
 
   window_.advance(cycle.time, odometry_from_vehicle_);
@@ -58,7 +60,8 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
   const Pose2 vehicle_from_window = odometry_from_vehicle_.inverse();
   const auto& vertices = window_.graph().vertices;
   for (VertexId id = 0; id < vertices.size(); ++id) {
-    if (vertices[id].role == VertexRole::landmark) association_.add(id, vehicle_from_window * vertices[id].pose);
+    if (vertices[id].role == VertexRole::landmark)
+      association_.add(id, vehicle_from_window * vertices[id].pose);
   }
   for (const FeatureSet& set : cycle.features) add_set(set, cycle, result.features);
   stage_done(Stage::association);
@@ -115,8 +118,9 @@ VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at
   if (!known && window_.feature_count() >= config_.max_features) return SlidingWindow::kForgotten;
   const VertexId vertex = known ? *known : window_.add_feature(window_from_feature, at.set.measured_at);
   if (!known) association_.add_claimed(vertex, in_vehicle);
-  window_.add_measurement({at.keyframe, vertex, measurement, information},
-                          {EdgeKind::measurement, at.set.source, at.set.sensor_id, feature.track_id, feature.side});
+  window_.add_measurement(
+      {at.keyframe, vertex, measurement, information},
+      {EdgeKind::measurement, at.set.source, at.set.sensor_id, feature.track_id, feature.side});
   remember(vertex, feature, at);
   return vertex;
 }
@@ -156,8 +160,8 @@ void FeatureFusion::smooth(const Feature& feature, VertexId vertex) {
   const auto [entry, is_new] = last_of_track_.try_emplace({feature.track_id, feature.side}, vertex);
   const VertexId previous = std::exchange(entry->second, vertex);
   if (is_new || previous == vertex) return;
-  // The paper's target is 0 [eq. 10]: along the road nothing is said, and one cycle's turn of the road is far below
-  // the heading's sigma.
+  // The paper's target is 0 [eq. 9]: along the road nothing is said, and one cycle's turn of the road is far
+  // below the heading's sigma.
   window_.add_tie({previous, vertex, Pose2{}, smoothing_information(config_)},
                   {EdgeKind::smoothing, feature.source, 0, feature.track_id, feature.side});
 }
@@ -172,7 +176,8 @@ void FeatureFusion::read_out() {
   const Pose2 vehicle_from_window = odometry_from_vehicle_.inverse();
   information_.assign(graph.vertices.size(), Eigen::Matrix3d::Zero());
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    if (window_.origin(i).kind == EdgeKind::measurement) information_[graph.edges[i].to] += graph.edges[i].information;
+    if (window_.origin(i).kind == EdgeKind::measurement)
+      information_[graph.edges[i].to] += graph.edges[i].information;
   }
   fused_.clear();
   for (VertexId id = 0; id < graph.vertices.size(); ++id) {
@@ -199,13 +204,15 @@ void FeatureFusion::switch_states(std::vector<SwitchState>& out) const {
     if (origin.kind != EdgeKind::smoothing) continue;
     const Edge& edge = graph.edges[i];
     const double value = edge.switch_index == kNoSwitch ? 1 : graph.switches[edge.switch_index].value;
-    out.push_back({origin.track_id, origin.side, vehicle_from_window * graph.vertices[edge.from].pose.position(),
+    out.push_back({origin.track_id, origin.side,
+                   vehicle_from_window * graph.vertices[edge.from].pose.position(),
                    vehicle_from_window * graph.vertices[edge.to].pose.position(), value});
   }
 }
 
 GraphSize FeatureFusion::size() const {
-  return {static_cast<std::uint32_t>(window_.keyframe_count()), static_cast<std::uint32_t>(window_.feature_count()),
+  return {static_cast<std::uint32_t>(window_.keyframe_count()),
+          static_cast<std::uint32_t>(window_.feature_count()),
           static_cast<std::uint32_t>(window_.graph().edges.size())};
 }
 

@@ -21,11 +21,12 @@ namespace lanefuse {
 struct FusionResult {
   bool has_motion = false;  ///< without it nothing was done
   SolveResult solve;
-  InputAccounting features;  ///< measured features: used, rejected as impossible, dropped as too late or too many
+  InputAccounting
+      features;  ///< measured features: used, rejected as impossible, dropped as too late or too many
 };
 
-/// Lane feature fusion [IROS16, Fig. 1 and secs. II-D, II-E]: accumulates the feature sets F_1..F_N in a sliding-window
-/// graph and gives back F_fused. It has no model of the road's shape.
+/// Lane feature fusion [IROS16, Fig. 1 and secs. II-D, II-E]: accumulates the feature sets F_1..F_N in a
+/// sliding-window graph and gives back F_fused. It has no model of the road's shape.
 ///
 /// Not safe to share between threads.
 class FeatureFusion {
@@ -35,8 +36,8 @@ class FeatureFusion {
 
   FusionResult process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done);
 
-  /// F_fused in the vehicle frame of the last cycle: one feature a vertex, with its confidence and the covariance that
-  /// its own measurements leave it.
+  /// F_fused in the vehicle frame of the last cycle: one feature a vertex, with its confidence and the
+  /// covariance that its own measurements leave it.
   [[nodiscard]] std::span<const Feature> fused() const { return fused_; }
 
   /// Every smoothing edge and what its switch says.
@@ -53,7 +54,7 @@ class FeatureFusion {
   void sample_within_reach(ClothoidMeasurement clothoid);
   /// The vertex that now holds the feature; kForgotten where it would be a new one and the window is full.
   VertexId add_feature(const Feature& feature, const Attachment& at);
-  void remember(VertexId vertex, const Feature& feature, const Attachment& at);
+  void remember(VertexId id, const Feature& feature, const Attachment& at);
   void tie(const FeatureSet& set);
   void smooth(const Feature& feature, VertexId vertex);
   void renumber_tracks(const std::vector<VertexId>& new_ids);
@@ -65,8 +66,8 @@ class FeatureFusion {
   FeatureAssociation association_;
   Pose2 odometry_from_vehicle_;  ///< at the cycle's time
   std::vector<Feature> fused_;
-  std::vector<Feature> sampled_;        ///< scratch: a set's features and the samples of its clothoids
-  std::vector<VertexId> vertex_of_;     ///< scratch: beside sampled_, where each feature went
+  std::vector<Feature> sampled_;              ///< scratch: a set's features and the samples of its clothoids
+  std::vector<VertexId> vertex_of_;           ///< scratch: beside sampled_, where each feature went
   std::vector<Eigen::Matrix3d> information_;  ///< scratch: beside the graph's vertices
   /// The vertex that each side of each track touched last: where its next smoothing edge starts.
   std::map<std::pair<std::int64_t, Side>, VertexId> last_of_track_;

@@ -37,7 +37,8 @@ VertexId SlidingWindow::nearest_keyframe(Time time) const {
 }
 
 Pose2 SlidingWindow::window_from_vehicle(VertexId keyframe, const Pose2& odometry_from_vehicle) const {
-  return graph_.vertices[keyframe].pose * (vertices_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
+  return graph_.vertices[keyframe].pose *
+         (vertices_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
 }
 
 VertexId SlidingWindow::add_feature(const Pose2& window_from_feature, Time measured_at) {
@@ -52,7 +53,8 @@ void SlidingWindow::append(const Edge& edge, const EdgeOrigin& origin) {
 }
 
 void SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
-  // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it came.
+  // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it
+  // came.
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
     const Edge& other = graph_.edges[i];
     if (origins_[i].kind == EdgeKind::odometry && other.to == edge.from) break;
@@ -136,7 +138,8 @@ void SlidingWindow::bridge(std::size_t keyframe) {
     if (graph_.edges[i].from == gone) out_of = &graph_.edges[i];
   }
   assert(into && out_of);
-  // Cov(a*b) with the first step's heading error swinging the second step's end; in the composed measurement's frame.
+  // Cov(a*b) with the first step's heading error swinging the second step's end; in the composed
+  // measurement's frame.
   Eigen::Matrix3d first = Eigen::Matrix3d::Identity();
   const Pose2 back = out_of->measurement.inverse();
   first.topLeftCorner<2, 2>() = rotation(back.heading);
@@ -166,7 +169,8 @@ void SlidingWindow::compact() {
   std::uint32_t switch_count = 0;
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     Edge edge = graph_.edges[i];
-    const bool stays = edge.from != edge.to && renumbered_[edge.from] != kForgotten && renumbered_[edge.to] != kForgotten;
+    const bool stays =
+        edge.from != edge.to && renumbered_[edge.from] != kForgotten && renumbered_[edge.to] != kForgotten;
     if (!stays) continue;
     edge.from = renumbered_[edge.from];
     edge.to = renumbered_[edge.to];

@@ -24,7 +24,7 @@ struct Vertex {
   bool fixed = false;  ///< held where it is: at least one must be, the gauge
 };
 
-/// A constraint z_ij between two vertices with information Omega_ij [IROS16, eq. 4]. The error is the
+/// A constraint z_ij between two vertices with information Omega_ij [IROS16, eq. 3]. The error is the
 /// difference z^-1 * (v_from^-1 * v_to), expressed in the measurement's frame as in g2o's EdgeSE2, with its
 /// angle wrapped.
 struct Edge {
@@ -37,7 +37,7 @@ struct Edge {
 };
 
 /// A switch variable s in [0, 1] that multiplies its edge's term, with the prior Omega_s (1 - s)^2 [IROS16,
-/// eq. 11].
+/// sec. II-E4].
 struct Switch {
   double prior = 1;  ///< Omega_s > 0
   double value = 1;  ///< s: 1 on, 0 off; written by the solver
@@ -67,7 +67,7 @@ struct Linearization {
 };
 Linearization linearize(const Edge& edge, const Pose2& from, const Pose2& to);
 
-/// J(V) of [IROS16, eq. 4], with the switched terms and their priors at the switches' present values: the sum
+/// J(V) of [IROS16, eq. 3], with the switched terms and their priors at the switches' present values: the sum
 /// of e' Omega e, without a factor 1/2. Edges that share a switch are switched together.
 double chi_squared(const PoseGraph& graph, SwitchForm form = SwitchForm::linear);
 

@@ -12,10 +12,12 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kMadToSigma = 1.4826;     ///< median absolute deviation to standard deviation, for normal residuals
-constexpr double kScatterFloor = 0.003;    ///< [rad] of a feature's heading: what calibration leaves
-constexpr double kSlopeFloor = 1e-4;       ///< no scatter is taken to be smaller: exact data has no outliers
-constexpr double kMaxHeading = 0.35;       ///< [rad] beyond this a feature is no lane's, and the cubic does not hold
+constexpr double kMadToSigma =
+    1.4826;  ///< median absolute deviation to standard deviation, for normal residuals
+constexpr double kScatterFloor = 0.003;  ///< [rad] of a feature's heading: what calibration leaves
+constexpr double kSlopeFloor = 1e-4;     ///< no scatter is taken to be smaller: exact data has no outliers
+constexpr double kMaxHeading =
+    0.35;  ///< [rad] beyond this a feature is no lane's, and the cubic does not hold
 
 /// The row of the slope's regression: y'(x) = theta0 + c0 x + c1 x^2 / 2.
 Eigen::Vector3d slope_row(double x) { return {1, x, x * x / 2}; }
@@ -83,11 +85,13 @@ std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> featur
     if (considered(features[i])) roles_[i] = FitRole::inlier;
   }
   std::optional<Eigen::Vector3d> shape = solve(features);
-  for (int i = 0; shape && i < config_.max_iterations; ++i) {
+  for (int i = 0; i < config_.max_iterations; ++i) {
+    if (!shape) return std::nullopt;
     const bool changed = cut_outliers(features, *shape);
     scatter_ = scatter(features, *shape);
     shape = solve(features);
-    // Twice at least: the first fit did not know how much the data is worth against the prior, nor did its scatter.
+    // Twice at least: the first fit did not know how much the data is worth against the prior, nor did its
+    // scatter.
     if (!changed && i > 0) break;
   }
   if (!shape) return std::nullopt;
@@ -112,8 +116,8 @@ double BaseClothoidFit::scatter(std::span<const Feature> features, const Eigen::
   return correlation / weight * sum / count;
 }
 
-std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> features, std::span<const int> group,
-                                                    int groups) {
+std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> features,
+                                                    std::span<const int> group, int groups) {
   assert(group.size() == features.size() && roles_.size() == features.size());
   const double heading_sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
   // In units of one heading: a position counts (heading sigma / position sigma)^2.

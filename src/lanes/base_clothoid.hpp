@@ -25,9 +25,9 @@ struct BaseClothoid {
 };
 
 /// Fits the base clothoid to the headings of the fused features by robust weighted linear least squares
-/// [IROS16, sec. II-F]: theta0, c0 and c1 are linear in the *tangent* of the heading, the derivative of eq. 12. The
-/// features' confidences are the weights; residuals far outside the median are cut, and the fit is repeated until no
-/// feature changes sides.
+/// [IROS16, sec. II-F]: theta0, c0 and c1 are linear in the *tangent* of the heading, the derivative of
+/// eq. 11. The features' confidences are the weights; residuals far outside the median are cut, and the fit
+/// is repeated until no feature changes sides.
 class BaseClothoidFit {
  public:
   explicit BaseClothoidFit(const BaseClothoidConfig& config) : config_(config) {}
@@ -35,10 +35,11 @@ class BaseClothoidFit {
   /// Nothing where too few features are left. `roles()` tells what became of each.
   std::optional<BaseClothoid> fit(std::span<const Feature> features);
 
-  /// Fits headings and positions together: feature i lies on boundary `group[i]` (0 .. groups-1), or on none (-1).
-  /// Better than headings alone, since a position error does not grow with the distance; not the paper's.
-  /// Starts from the inliers of the last fit().
-  std::optional<BaseClothoid> refine(std::span<const Feature> features, std::span<const int> group, int groups);
+  /// Fits headings and positions together: feature i lies on boundary `group[i]` (0 .. groups-1), or on none
+  /// (-1). Better than headings alone, since a position error does not grow with the distance; not the
+  /// paper's. Starts from the inliers of the last fit().
+  std::optional<BaseClothoid> refine(std::span<const Feature> features, std::span<const int> group,
+                                     int groups);
 
   [[nodiscard]] std::span<const FitRole> roles() const { return roles_; }
 

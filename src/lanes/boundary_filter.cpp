@@ -30,8 +30,9 @@ void BoundaryFilter::predict(const Pose2& old_from_new) {
   transition(0, 2) = dx * dx / 2;
   transition(1, 2) = dx;
   const double steps = old_from_new.position().norm() / kProcessStep;
-  const Eigen::Matrix4d noise = steps * diagonal_from_sigmas(config_->process_offset, config_->process_heading,
-                                                             config_->process_curvature, config_->process_curvature_rate);
+  const Eigen::Matrix4d noise =
+      steps * diagonal_from_sigmas(config_->process_offset, config_->process_heading,
+                                   config_->process_curvature, config_->process_curvature_rate);
   const double rate = state_.mean[3];
   state_.mean[3] = 0;
   const Clothoid moved = transform(clothoid(), old_from_new);

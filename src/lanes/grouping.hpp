@@ -12,19 +12,20 @@
 
 namespace lanefuse {
 
-/// Sorts fused features to boundaries [IROS16, sec. II-F]. All boundaries run along the base clothoid (eq. 13), so a
-/// feature belongs to the boundary whose offset is nearest to its own, y - (theta0 x + c0 x^2/2 + c1 x^3/6).
+/// Sorts fused features to boundaries [IROS16, sec. II-F]. All boundaries run along the base clothoid (eq.
+/// 13), so a feature belongs to the boundary whose offset is nearest to its own, y - (theta0 x + c0 x^2/2 +
+/// c1 x^3/6).
 class Grouping {
  public:
   explicit Grouping(const LaneModelConfig& config) : config_(config) {}
 
-  /// Gives each feature the index of the nearest of `offsets` within the gate, or -1. Features that the base fit cut
-  /// or left out stay out.
+  /// Gives each feature the index of the nearest of `offsets` within the gate, or -1. Features that the base
+  /// fit cut or left out stay out.
   void assign(std::span<const Feature> features, std::span<const FitRole> roles, const Clothoid& base,
               std::span<const double> offsets);
 
-  /// Where enough leftovers in the near range lie close together across the road and far enough from every boundary:
-  /// the offset of a new one. The densest place first.
+  /// Where enough leftovers in the near range lie close together across the road and far enough from every
+  /// boundary: the offset of a new one. The densest place first.
   [[nodiscard]] std::vector<double> new_offsets(std::span<const Feature> features, const Clothoid& base,
                                                 std::span<const double> offsets);
 

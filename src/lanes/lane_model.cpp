@@ -8,9 +8,10 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kOffsetCut = 0.6;  ///< [m] a group's feature further than this from its median offset does not count
+constexpr double kOffsetCut =
+    0.6;  ///< [m] a group's feature further than this from its median offset does not count
 
-/// The road's course with an offset of its own: eq. 13.
+/// The road's course with an offset of its own: eq. 12.
 BoundaryFit with_offset(const BaseClothoid& base, double offset, double variance) {
   BoundaryFit fit{base.clothoid, Eigen::Matrix4d::Zero()};
   fit.clothoid.lateral_offset = offset;
@@ -21,12 +22,13 @@ BoundaryFit with_offset(const BaseClothoid& base, double offset, double variance
 
 }  // namespace
 
-void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_from_current, LaneEstimate& estimate) {
+void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_from_current,
+                        LaneEstimate& estimate) {
   for (BoundaryFilter& boundary : boundaries_) boundary.predict(previous_from_current);
 
   base_ = base_fit_.fit(fused);
   if (base_) {
-    fit_boundaries(fused, *base_);
+    base_ = fit_boundaries(fused, *base_);
     found_boundaries(fused, *base_);
   } else {
     grouping_.assign(fused, base_fit_.roles(), Clothoid{}, {});
@@ -51,21 +53,22 @@ void LaneModel::process(std::span<const Feature> fused, const Pose2& previous_fr
   }
 }
 
-void LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit) {
+BaseClothoid LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit) {
   offsets_.clear();
   group_ids_.clear();
   for (const BoundaryFilter& boundary : boundaries_) {
     offsets_.push_back(boundary.clothoid().lateral_offset);
     group_ids_.push_back(boundary.id());
   }
-  grouping_.assign(fused, base_fit_.roles(), heading_fit.clothoid, offsets_);
+  BaseClothoid base = heading_fit;
+  grouping_.assign(fused, base_fit_.roles(), base.clothoid, offsets_);
   if (config_.base.fit == BaseFit::joint && !offsets_.empty()) {
     const auto joint = base_fit_.refine(fused, grouping_.groups(), static_cast<int>(offsets_.size()));
-    if (joint) base_ = joint;
-    grouping_.assign(fused, base_fit_.roles(), base_->clothoid, offsets_);
+    if (joint) base = *joint;
+    grouping_.assign(fused, base_fit_.roles(), base.clothoid, offsets_);
   }
   for (std::size_t b = 0; b < boundaries_.size(); ++b) {
-    const auto fit = fit_offset(fused, static_cast<int>(b), *base_);
+    const auto fit = fit_offset(fused, static_cast<int>(b), base);
     if (!fit) {
       ++boundaries_[b].misses;
       continue;
@@ -73,6 +76,7 @@ void LaneModel::fit_boundaries(std::span<const Feature> fused, const BaseClothoi
     boundaries_[b].update(*fit);
     observe(boundaries_[b], fused, static_cast<int>(b));
   }
+  return base;
 }
 
 std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused, int group,
@@ -86,7 +90,8 @@ std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused,
     // The course's own error grows with the distance: near features know the offset best.
     const double weight = fused[i].confidence / (1 + std::pow(std::max(0.0, fused[i].x) / 40, 2));
     offsets.emplace_back(fused[i].y - base.clothoid.y(fused[i].x), weight);
-    correlation += weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);
+    correlation +=
+        weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);
     all += weight;
   }
   if (offsets.empty()) return std::nullopt;
@@ -150,16 +155,18 @@ void LaneModel::write_boundaries(LaneEstimate& estimate) const {
     cut_to_range(boundary);
     estimate.boundaries.push_back(std::move(boundary));
   }
-  std::stable_sort(estimate.boundaries.begin(), estimate.boundaries.end(), [](const Boundary& a, const Boundary& b) {
-    return a.clothoid.lateral_offset > b.clothoid.lateral_offset;
-  });
+  std::stable_sort(estimate.boundaries.begin(), estimate.boundaries.end(),
+                   [](const Boundary& a, const Boundary& b) {
+                     return a.clothoid.lateral_offset > b.clothoid.lateral_offset;
+                   });
 }
 
 void LaneModel::cut_to_range(Boundary& boundary) const {
   boundary.range_end = config_.range_max;
   sample_points(boundary);
-  const auto unsure = std::find_if(boundary.points.begin(), boundary.points.end(),
-                                   [&](const BoundaryPoint& point) { return point.sigma > config_.sigma_max; });
+  const auto unsure =
+      std::find_if(boundary.points.begin(), boundary.points.end(),
+                   [&](const BoundaryPoint& point) { return point.sigma > config_.sigma_max; });
   boundary.points.erase(unsure, boundary.points.end());
   boundary.range_end = boundary.points.empty() ? 0 : boundary.points.back().x;
 }

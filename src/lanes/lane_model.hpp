@@ -18,15 +18,16 @@
 
 namespace lanefuse {
 
-/// Multi-lane modelling [IROS16, Fig. 1 and sec. II-F]: from fused features to boundaries and lanes. First the road's
-/// course, then each boundary's offset, then a filter a boundary.
+/// Multi-lane modelling [IROS16, Fig. 1 and sec. II-F]: from fused features to boundaries and lanes. First
+/// the road's course, then each boundary's offset, then a filter a boundary.
 class LaneModel {
  public:
   /// `config` must outlive the model.
-  explicit LaneModel(const LaneModelConfig& config) : config_(config), base_fit_(config_.base), grouping_(config_) {}
+  explicit LaneModel(const LaneModelConfig& config)
+      : config_(config), base_fit_(config_.base), grouping_(config_) {}
 
-  /// Runs one cycle on F_fused in the vehicle frame; `previous_from_current` is the car's motion since the last one.
-  /// Fills boundaries, lanes, status and reason of `estimate`.
+  /// Runs one cycle on F_fused in the vehicle frame; `previous_from_current` is the car's motion since the
+  /// last one. Fills boundaries, lanes, status and reason of `estimate`.
   void process(std::span<const Feature> fused, const Pose2& previous_from_current, LaneEstimate& estimate);
 
   /// How the last cycle used its features.
@@ -35,7 +36,8 @@ class LaneModel {
   void reset();
 
  private:
-  void fit_boundaries(std::span<const Feature> fused, const BaseClothoid& base);
+  /// Gives the road's course that the boundaries were fitted on.
+  BaseClothoid fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit);
   void found_boundaries(std::span<const Feature> fused, const BaseClothoid& base);
   [[nodiscard]] std::optional<BoundaryFit> fit_offset(std::span<const Feature> fused, int group,
                                                       const BaseClothoid& base) const;
@@ -51,10 +53,10 @@ class LaneModel {
   const LaneModelConfig& config_;
   BaseClothoidFit base_fit_;
   Grouping grouping_;
-  std::optional<BaseClothoid> base_;       ///< of the last cycle, if it had one
-  std::vector<BoundaryFilter> boundaries_; ///< from old to young
-  std::vector<double> offsets_;            ///< scratch: y0 of each boundary
-  std::vector<std::uint64_t> group_ids_;   ///< the boundary that each group of the last cycle stands for
+  std::optional<BaseClothoid> base_;        ///< of the last cycle, if it had one
+  std::vector<BoundaryFilter> boundaries_;  ///< from old to young
+  std::vector<double> offsets_;             ///< scratch: y0 of each boundary
+  std::vector<std::uint64_t> group_ids_;    ///< the boundary that each group of the last cycle stands for
   std::uint64_t next_boundary_ = 1;
   std::uint64_t next_lane_ = 1;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> lane_ids_;  ///< by left and right boundary

@@ -50,7 +50,7 @@ RadarTracker::Reflection RadarTracker::make_reflection(const RadarDetection& det
 
 bool RadarTracker::update(const RadarScan& scan, const Viewpoint& viewpoint) {
   const Time now = scan.stamp.measured_at;
-  if (last_scan_ && now <= *last_scan_) return false;
+  if (last_scan_ && now < *last_scan_) return false;
   const double seconds = last_scan_ ? to_seconds(now - *last_scan_) : 0;
   last_scan_ = now;
   for (Track& track : tracks_) predict(track, seconds);
@@ -86,8 +86,9 @@ std::vector<RadarTracker::Reflection> RadarTracker::one_a_vehicle(const RadarSca
   std::vector<Reflection> kept;
   for (const RadarDetection& detection : scan.detections) {
     const Reflection reflection = make_reflection(detection, viewpoint);
-    const bool known = std::any_of(kept.begin(), kept.end(),
-                                   [&](const Reflection& other) { return is_same_vehicle(other, reflection); });
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Reflection& other) {
+      return is_same_vehicle(other, reflection);
+    });
     if (!known) kept.push_back(reflection);
   }
   return kept;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,21 +25,26 @@ std::string place_of(const std::string& name, const YAML::Mark& mark) {
 /// Applies one YAML node below `prefix` to the settings.
 void apply(const YAML::Node& node, const std::string& prefix, const std::string& name,
            const std::vector<Setting>& settings) {
+  if (node.IsNull()) return;
   if (!node.IsMap()) {
-    throw configuration_error(place_of(name, node.Mark()), fmt::format("'{}' is not a section of keys", prefix));
+    // The prefix ends with the dot before the next key; the file itself has none.
+    const auto key = std::string_view(prefix).substr(0, prefix.empty() ? 0 : prefix.size() - 1);
+    throw configuration_error(place_of(name, node.Mark()), fmt::format("'{}' is not a section of keys", key));
   }
   for (const auto& entry : node) {
     const auto key = prefix + entry.first.as<std::string>();
     const std::string place = place_of(name, entry.first.Mark());
-    const auto setting = std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.key == key; });
+    const auto setting =
+        std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.key == key; });
     if (setting == settings.end()) {
-      const bool is_section = std::any_of(settings.begin(), settings.end(),
-                                          [&](const Setting& s) { return s.key.starts_with(key + "."); });
+      const bool is_section = std::any_of(settings.begin(), settings.end(), [&](const Setting& s) {
+        return s.key.starts_with(fmt::format("{}.", key));
+      });
       if (!is_section) {
         throw configuration_error(place, fmt::format("unknown key '{}'", key),
                                   "'lanefuse run --print-config' lists every key");
       }
-      apply(entry.second, key + ".", name, settings);
+      apply(entry.second, fmt::format("{}.", key), name, settings);
       continue;
     }
     if (!entry.second.IsScalar() || !setting->set(entry.second.Scalar())) {
@@ -71,12 +77,13 @@ PerceptionConfig default_config(WitnessRule rule) {
   return config;
 }
 
-PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults) {
+PerceptionConfig parse_config(const std::string& yaml, const std::string& name,
+                              const PerceptionConfig& defaults) {
   PerceptionConfig config = defaults;
   const std::vector<Setting> settings = settings_of(config);
   try {
     const YAML::Node root = YAML::Load(yaml);
-    if (!root.IsNull()) apply(root, "", name, settings);
+    apply(root, "", name, settings);
   } catch (const YAML::Exception& e) {
     throw configuration_error(place_of(name, e.mark), fmt::format("not YAML: {}", e.msg));
   }
@@ -88,14 +95,14 @@ PerceptionConfig load_config(const std::filesystem::path& file, const Perception
   std::ifstream in(file);
   std::stringstream text;
   text << in.rdbuf();
-  if (!in) throw configuration_error(file.string(), "cannot be read");
+  if (!in || std::filesystem::is_directory(file)) throw configuration_error(file.string(), "cannot be read");
   return parse_config(text.str(), file.string(), defaults);
 }
 
 void set_key(PerceptionConfig& config, const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos) {
-    throw configuration_error("--set " + assignment, "is no assignment", "write KEY=VALUE");
+    throw configuration_error(fmt::format("--set {}", assignment), "is no assignment", "write KEY=VALUE");
   }
   YAML::Node node(assignment.substr(equals + 1));
   std::string key = assignment.substr(0, equals);
@@ -107,10 +114,12 @@ void set_key(PerceptionConfig& config, const std::string& assignment) {
   }
   YAML::Node root;
   root[key] = node;
-  config = parse_config(YAML::Dump(root), "--set " + assignment, config);
+  config = parse_config(YAML::Dump(root), fmt::format("--set {}", assignment), config);
 }
 
-std::string fingerprint(const PerceptionConfig& config) { return fmt::format("{:016x}", fnv1a(to_yaml(config))); }
+std::string fingerprint(const PerceptionConfig& config) {
+  return fmt::format("{:016x}", fnv1a(to_yaml(config)));
+}
 
 std::string to_yaml(const PerceptionConfig& config) {
   PerceptionConfig copy = config;
@@ -122,11 +131,12 @@ std::string to_yaml(const PerceptionConfig& config) {
     for (std::string part; std::getline(parts, part, '.');) path.push_back(part);
     std::size_t common = 0;
     while (common < open.size() && common + 1 < path.size() && open[common] == path[common]) ++common;
-    for (std::size_t i = common; i + 1 < path.size(); ++i) yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
+    for (std::size_t i = common; i + 1 < path.size(); ++i)
+      yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
     open.assign(path.begin(), path.end() - 1);
     const std::string unit = setting.unit.empty() ? "" : fmt::format(" [{}]", setting.unit);
-    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(), setting.effect,
-                        unit, setting.allowed);
+    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(),
+                        setting.effect, unit, setting.allowed);
   }
   return yaml;
 }

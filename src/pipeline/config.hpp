@@ -37,25 +37,29 @@ struct PerceptionConfig {
 
 /// The defaults for a drive by the witness rule that it was recorded with.
 ///
-/// `radar_and_camera` is the paper. `radar_only` is for drives without a camera, and goes beyond the paper where nothing
-/// but vehicles tells of the lanes: the car itself is a witness of its own, and the road's course is fitted to positions
-/// and headings together, since a vehicle's place is better known than its heading. Measured in docs/comma2k19.md.
+/// `radar_and_camera` is the paper. `radar_only` is for drives without a camera, and goes beyond the paper
+/// where nothing but vehicles tells of the lanes: the car itself is a witness of its own, and the road's
+/// course is fitted to positions and headings together, since a vehicle's place is better known than its
+/// heading. Measured in docs/comma2k19.md.
 PerceptionConfig default_config(WitnessRule rule);
 
-/// Reads a YAML file over `defaults`. Every key is optional; a key that does not exist, a value of the wrong kind or out
-/// of range is refused with a configuration Error that names file, line and key.
+/// Reads a YAML file over `defaults`. Every key is optional; a key that does not exist, a value of the wrong
+/// kind or out of range is refused with a configuration Error that names file, line and key.
 PerceptionConfig load_config(const std::filesystem::path& file, const PerceptionConfig& defaults = {});
 
 /// The same from text; `name` stands for the file in errors.
-PerceptionConfig parse_config(const std::string& yaml, const std::string& name, const PerceptionConfig& defaults = {});
+PerceptionConfig parse_config(const std::string& yaml, const std::string& name,
+                              const PerceptionConfig& defaults = {});
 
-/// Sets one key, as "fusion.width_edges=false" from a command line would. Throws a configuration Error as load_config().
+/// Sets one key, as "fusion.width_edges=false" from a command line would. Throws a configuration Error as
+/// load_config().
 void set_key(PerceptionConfig& config, const std::string& assignment);
 
 /// Names a configuration: equal fingerprints, equal settings.
 std::string fingerprint(const PerceptionConfig& config);
 
-/// The configuration as YAML that load_config() reads back, each key with effect, unit and range as its comment.
+/// The configuration as YAML that load_config() reads back, each key with effect, unit and range as its
+/// comment.
 std::string to_yaml(const PerceptionConfig& config);
 
 }  // namespace lanefuse

@@ -46,6 +46,8 @@ Pose2 GraphEstimator::moved_since_last_cycle(const Cycle& cycle) {
 void GraphEstimator::give_up(StatusReason reason) {
   estimate_.status = EstimateStatus::invalid;
   estimate_.reason = reason;
+  estimate_.speed = 0;
+  estimate_.yaw_rate = 0;
   estimate_.boundaries.clear();
   estimate_.lanes.clear();
   debug_ = {};

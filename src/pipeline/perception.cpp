@@ -10,12 +10,12 @@
 namespace lanefuse {
 namespace {
 
-constexpr Duration kStampMemory = std::chrono::seconds(1);
-
 /// How many things a measurement holds: what the accounting counts.
 struct ItemCount {
   std::uint64_t operator()(const VehicleMotion&) const { return 1; }
-  std::uint64_t operator()(const SerialLane& lane) const { return (lane.left ? 1 : 0) + (lane.right ? 1 : 0); }
+  std::uint64_t operator()(const SerialLane& lane) const {
+    return (lane.left ? 1 : 0) + (lane.right ? 1 : 0);
+  }
   std::uint64_t operator()(const MarkingFeatures& markings) const { return markings.features.size(); }
   std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
@@ -23,8 +23,8 @@ struct ItemCount {
 
 std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
 
-/// What a measurement tells, as a number: messages of one sensor and one stamp are only the same if they tell the same.
-/// A bus gives speed, wheel speeds and yaw rate in messages of their own.
+/// What a measurement tells, as a number: messages of one sensor and one stamp are only the same if they tell
+/// the same. A bus gives speed, wheel speeds and yaw rate in messages of their own.
 std::size_t kind_of(const Measurement& measurement) {
   std::size_t kind = measurement.index() * 8;
   if (const auto* motion = std::get_if<VehicleMotion>(&measurement)) {
@@ -69,7 +69,8 @@ std::uint32_t count_witnesses(const std::vector<FeatureSet>& sets) {
 
 std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& config) {
   std::vector<std::unique_ptr<FeatureSource>> sources;
-  if (config.serial_camera.enabled) sources.push_back(std::make_unique<SerialCameraSource>(config.serial_camera));
+  if (config.serial_camera.enabled)
+    sources.push_back(std::make_unique<SerialCameraSource>(config.serial_camera));
   if (config.high_resolution_camera.enabled) {
     sources.push_back(std::make_unique<HighResolutionCameraSource>(config.high_resolution_camera));
   }
@@ -80,10 +81,11 @@ std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& co
 
 }  // namespace
 
-MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, const Rig& rig)
+MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig)
     : config_(config),
-      rig_(rig),
+      rig_(std::move(rig)),
       period_(from_seconds(1 / config.cycle_hz)),
+      stamp_memory_(from_seconds(config.reorder_window_s) + std::chrono::seconds(1)),
       dead_reckoning_(config.sources.odometry),
       sources_(make_sources(config.sources)),
       estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {}
@@ -103,7 +105,8 @@ void MultiLanePerception::add(Measurement measurement) {
     inputs_.dropped += item_count(measurement);
     return;
   }
-  // The first cycle is on the first whole period after the first measurement: the same for a live stream and its replay.
+  // The first cycle is on the first whole period after the first measurement: the same for a live stream and
+  // its replay.
   if (!next_cycle_) {
     const auto since_epoch = stamp_of(measurement).received_at.time_since_epoch();
     next_cycle_ = Time{(since_epoch / period_ + 1) * period_};
@@ -114,12 +117,13 @@ void MultiLanePerception::add(Measurement measurement) {
 bool MultiLanePerception::seen_before(const Measurement& measurement) {
   const Stamp& stamp = stamp_of(measurement);
   std::set<Time>& seen = stamps_[{kind_of(measurement), stamp.sensor_id}];
-  seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - kStampMemory));
+  seen.erase(seen.begin(), seen.lower_bound(stamp.measured_at - stamp_memory_));
   return !seen.insert(stamp.measured_at).second;
 }
 
 const LaneEstimate* MultiLanePerception::advance(Time now) {
-  if (!next_cycle_ || now < *next_cycle_) return nullptr;
+  // Strictly later: what arrives at the very moment of a cycle belongs to it.
+  if (!next_cycle_ || now <= *next_cycle_) return nullptr;
   const Time time = std::exchange(*next_cycle_, *next_cycle_ + period_);
   run_sources(time);
   if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) estimator_->reset();
@@ -135,7 +139,8 @@ void MultiLanePerception::run_sources(Time now) {
   feature_sets_.clear();
   std::stable_sort(pending_.begin(), pending_.end(), measured_before);
   for (const Measurement& measurement : pending_) {
-    if (const auto* motion = std::get_if<VehicleMotion>(&measurement)) inputs_ += dead_reckoning_.add(*motion);
+    if (const auto* motion = std::get_if<VehicleMotion>(&measurement))
+      inputs_ += dead_reckoning_.add(*motion);
   }
   SourceContext context{rig_, dead_reckoning_.samples(), lane_width_.width(now)};
   for (const Measurement& measurement : pending_) take(measurement, context);

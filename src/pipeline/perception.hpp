@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/estimator.hpp"
@@ -19,26 +20,29 @@
 
 namespace lanefuse {
 
-/// Multi-lane perception, whole: the paper's Fig. 1. Measurements go in, in the order in which they were received;
-/// cycles come out on a fixed clock over recorded time.
+/// Multi-lane perception, whole: the paper's Fig. 1. Measurements go in, in the order in which they were
+/// received; cycles come out on a fixed clock over recorded time.
 ///
 ///     MultiLanePerception perception(config, rig);
 ///     for (const Measurement& measurement : drive) {
-///       while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at)) use(*lanes);
-///       perception.add(measurement);
+///       while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at))
+///       use(*lanes); perception.add(measurement);
 ///     }
 ///
 /// Not safe to share between threads. Nothing in here reads a clock or a file.
 class MultiLanePerception {
  public:
-  MultiLanePerception(const PerceptionConfig& config, const Rig& rig);
+  MultiLanePerception(const PerceptionConfig& config, Rig rig);
 
-  /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are counted in
-  /// the next cycle's inputs.
+  /// Adds a source of the user's own beside the built-in ones; from then on it is asked in every cycle.
+  void add_source(std::unique_ptr<FeatureSource> source) { sources_.push_back(std::move(source)); }
+
+  /// Takes a measurement in. What is impossible is rejected, what comes twice or too late dropped; both are
+  /// counted in the next cycle's inputs.
   void add(Measurement measurement);
 
-  /// Runs the next cycle if it is due before `now`, on all that had been received by then. Null when none is due; the
-  /// result is valid until the next call.
+  /// Runs the next cycle if it was due before `now`, on all that had been received by its time. Null when
+  /// none is due; the result is valid until the next call.
   const LaneEstimate* advance(Time now);
 
   [[nodiscard]] const DebugView& debug() const { return estimator_->debug(); }
@@ -58,6 +62,7 @@ class MultiLanePerception {
   PerceptionConfig config_;
   Rig rig_;
   Duration period_;
+  Duration stamp_memory_;  ///< longer than the reorder window, so that what comes twice is still known
   DeadReckoning dead_reckoning_;
   LaneWidthFilter lane_width_;
   std::vector<std::unique_ptr<FeatureSource>> sources_;
@@ -69,7 +74,7 @@ class MultiLanePerception {
   std::optional<Time> next_cycle_;
   std::uint32_t restarts_ = 0;
   InputAccounting inputs_;
-  /// Stamps of the last second, a kind and sensor: a message that comes twice is taken once.
+  /// Stamps of the last moments, a kind and sensor: a message that comes twice is taken once.
   std::map<std::pair<std::size_t, std::uint32_t>, std::set<Time>> stamps_;
   std::map<Source, Time> last_heard_;
   LaneEstimate estimate_;

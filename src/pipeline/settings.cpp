@@ -20,16 +20,21 @@ bool parse_number(const std::string& text, Number& number) {
 /// Collects the settings below one key.
 class Section {
  public:
-  Section(std::vector<Setting>& settings, std::string prefix) : settings_(settings), prefix_(std::move(prefix)) {}
+  Section(std::vector<Setting>& settings, std::string prefix)
+      : settings_(settings), prefix_(std::move(prefix)) {}
 
   template <typename Number>
-    requires(std::floating_point<Number> || (std::integral<Number> && !std::same_as<Number, bool>))
-  void add(const char* key, Number& value, std::pair<Number, Number> range, const char* unit, const char* effect) {
+  requires(std::floating_point<Number> ||
+           (std::integral<Number> && !std::same_as<Number, bool>)) void add(const char* key, Number& value,
+                                                                            std::pair<Number, Number> range,
+                                                                            const char* unit,
+                                                                            const char* effect) const {
     settings_.push_back({prefix_ + key, unit, effect, fmt::format("{} .. {}", range.first, range.second),
                          [&value] { return fmt::format("{}", value); },
                          [&value, range](const std::string& text) {
                            Number number{};
-                           if (!parse_number(text, number) || !(number >= range.first && number <= range.second)) {
+                           if (!parse_number(text, number) ||
+                               !(number >= range.first && number <= range.second)) {
                              return false;
                            }
                            value = number;
@@ -37,17 +42,19 @@ class Section {
                          }});
   }
 
-  void add(const char* key, bool& value, const char* effect) {
-    settings_.push_back({prefix_ + key, "", effect, "true, false", [&value] { return value ? "true" : "false"; },
+  void add(const char* key, bool& value, const char* effect) const {
+    settings_.push_back({prefix_ + key, "", effect, "true, false",
+                         [&value] { return value ? "true" : "false"; },
                          [&value](const std::string& text) {
+                           if (text != "true" && text != "false") return false;
                            value = text == "true";
-                           return value || text == "false";
+                           return true;
                          }});
   }
 
   /// A choice among names; the names are in the order of the enumeration's values.
   template <typename Choice>
-  void add(const char* key, Choice& value, const std::vector<std::string>& names, const char* effect) {
+  void add(const char* key, Choice& value, const std::vector<std::string>& names, const char* effect) const {
     settings_.push_back({prefix_ + key, "", effect, fmt::format("{}", fmt::join(names, ", ")),
                          [&value, names] { return names[static_cast<std::size_t>(value)]; },
                          [&value, names](const std::string& text) {
@@ -73,33 +80,41 @@ constexpr Range kSigma{1e-9, 1000.0};
 constexpr Range kDegrees{1e-6, 180.0};
 constexpr Range kShare{0.0, 1.0};
 
-void add_general(Section s, PerceptionConfig& c) {
+void add_general(const Section& s, PerceptionConfig& c) {
   s.add("cycle_hz", c.cycle_hz, {1.0, 100.0}, "Hz", "cycles a second of recorded time");
-  s.add("reorder_window_s", c.reorder_window_s, {0.0, 2.0}, "s", "measurements older than this at their cycle are dropped");
-  s.add("silence_s", c.silence_s, {0.05, 60.0}, "s", "a source that has spoken and is silent this long is unavailable");
-  s.add("max_objects", c.max_objects, {1U, 4096U}, "", "objects or detections in one message; more are dropped");
+  s.add("reorder_window_s", c.reorder_window_s, {0.0, 2.0}, "s",
+        "measurements older than this at their cycle are dropped");
+  s.add("silence_s", c.silence_s, {0.05, 60.0}, "s",
+        "a source that has spoken and is silent this long is unavailable");
+  s.add("max_objects", c.max_objects, {1U, 4096U}, "",
+        "objects or detections in one message; more are dropped");
 }
 
-void add_width(Section s, LaneWidth& width) {
+void add_width(const Section& s, LaneWidth& width) {
   s.add("lane_width", width.mean, {2.0, 6.0}, "m", "of a lane where no camera measures it");
   s.add("lane_width_sigma", width.standard_deviation, {0.01, 2.0}, "m", "and how uncertain that is");
 }
 
-void add_odometry(Section s, DeadReckoningConfig& c) {
+void add_odometry(const Section& s, DeadReckoningConfig& c) {
   s.add("history_s", c.history_s, {0.5, 60.0}, "s", "motion kept for measurements that arrive late");
   s.add("gap_s", c.gap_s, {0.05, 5.0}, "s", "without motion after which the path starts anew");
-  Section bias = s.section("bias");
-  bias.add("start_sigma_deg", c.bias.start_sigma_deg, kDegrees, "deg/s", "gyro bias before anything is known");
+  const Section bias = s.section("bias");
+  bias.add("start_sigma_deg", c.bias.start_sigma_deg, kDegrees, "deg/s",
+           "gyro bias before anything is known");
   bias.add("drift_deg", c.bias.drift_deg, {0.0, 1.0}, "deg/s/sqrt(s)", "random walk of the gyro bias");
-  bias.add("wheel_mismatch_sigma", c.bias.wheel_mismatch_sigma, {0.0, 0.1}, "", "relative difference of the rear wheels' radii");
-  bias.add("wheel_noise_deg", c.bias.wheel_noise_deg, kDegrees, "deg/s", "noise of the rear wheels' yaw rate in one message");
+  bias.add("wheel_mismatch_sigma", c.bias.wheel_mismatch_sigma, {0.0, 0.1}, "",
+           "relative difference of the rear wheels' radii");
+  bias.add("wheel_noise_deg", c.bias.wheel_noise_deg, kDegrees, "deg/s",
+           "noise of the rear wheels' yaw rate in one message");
   bias.add("track_width", c.bias.track_width, {0.5, 3.0}, "m", "between the rear wheels");
-  bias.add("standstill_speed", c.bias.standstill_speed, {0.0, 1.0}, "m/s", "below, the car stands and the gyro shows its bias");
+  bias.add("standstill_speed", c.bias.standstill_speed, {0.0, 1.0}, "m/s",
+           "below, the car stands and the gyro shows its bias");
 }
 
-void add_witness(Section s, WitnessConfig& c) {
-  s.add("rule", c.rule, {"radar_and_camera", "radar_only"},
-        "sensors that must have verified a vehicle; a drive recorded without a camera sets radar_only itself");
+void add_witness(const Section& s, WitnessConfig& c) {
+  s.add(
+      "rule", c.rule, {"radar_and_camera", "radar_only"},
+      "sensors that must have verified a vehicle; a drive recorded without a camera sets radar_only itself");
   s.add("driver_sigma", c.driver_sigma, kSigma, "m", "drivers about the middle of their lane");
   s.add("driver_heading_deg", c.driver_heading_deg, kDegrees, "deg", "the same for their heading");
   s.add("confidence", c.confidence, kShare, "", "of each of a vehicle's two features");
@@ -110,39 +125,47 @@ void add_witness(Section s, WitnessConfig& c) {
   add_width(s, c.default_width);
 }
 
-void add_radar_tracker(Section s, RadarTrackerConfig& c) {
+void add_radar_tracker(const Section& s, RadarTrackerConfig& c) {
   s.add("sigma_range", c.sigma_range, kSigma, "m", "of a reflection, with its wander along the vehicle");
   s.add("sigma_bearing_deg", c.sigma_bearing_deg, kDegrees, "deg", "of a reflection");
   s.add("sigma_lateral", c.sigma_lateral, {0.0, 5.0}, "m", "wander of the reflection across the rear");
   s.add("sigma_range_rate", c.sigma_range_rate, kSigma, "m/s", "of a reflection");
-  s.add("acceleration_along", c.acceleration_along, kSigma, "m/s^2/sqrt(Hz)", "process noise along the motion");
-  s.add("acceleration_across", c.acceleration_across, kSigma, "m/s^2/sqrt(Hz)", "process noise across the motion");
-  s.add("same_along", c.same_along, {0.0, 20.0}, "m", "reflections of one scan this near along the sight are one vehicle");
+  s.add("acceleration_along", c.acceleration_along, kSigma, "m/s^2/sqrt(Hz)",
+        "process noise along the motion");
+  s.add("acceleration_across", c.acceleration_across, kSigma, "m/s^2/sqrt(Hz)",
+        "process noise across the motion");
+  s.add("same_along", c.same_along, {0.0, 20.0}, "m",
+        "reflections of one scan this near along the sight are one vehicle");
   s.add("same_across", c.same_across, {0.0, 10.0}, "m", "and this near across it");
   s.add("same_range_rate", c.same_range_rate, {0.0, 20.0}, "m/s", "and this like in range rate");
   s.add("gate", c.gate, {1.0, 1000.0}, "", "squared Mahalanobis distance of a reflection to its track");
-  s.add("start_sigma_across", c.start_sigma_across, kSigma, "m/s", "a new track's speed across the line of sight");
+  s.add("start_sigma_across", c.start_sigma_across, kSigma, "m/s",
+        "a new track's speed across the line of sight");
   s.add("confirm_hits", c.confirm_hits, {1, 100}, "", "scans before a track counts");
   s.add("coast_s", c.coast_s, {0.0, 10.0}, "s", "a confirmed track lives on unseen");
   s.add("tentative_coast_s", c.tentative_coast_s, {0.0, 10.0}, "s", "the same before it is confirmed");
   s.add("min_speed", c.min_speed, {0.0, 50.0}, "m/s", "over ground: slower, a track stands");
 }
 
-void add_sources(Section s, SourcesConfig& c) {
+void add_sources(const Section& s, SourcesConfig& c) {
   add_odometry(s.section("odometry"), c.odometry);
-  Section serial = s.section("serial_camera");
+  const Section serial = s.section("serial_camera");
   serial.add("enabled", c.serial_camera.enabled, "whether the serial camera's lanes are used");
-  serial.add("marking_width", c.serial_camera.marking_width, {0.05, 1.0}, "m", "of the paint where it is not measured");
-  serial.add("covariance_inflation", c.serial_camera.covariance_inflation, {0.01, 1000.0}, "", "factor on its covariance");
-  Section high = s.section("high_resolution_camera");
+  serial.add("marking_width", c.serial_camera.marking_width, {0.05, 1.0}, "m",
+             "of the paint where it is not measured");
+  serial.add("covariance_inflation", c.serial_camera.covariance_inflation, {0.01, 1000.0}, "",
+             "factor on its covariance");
+  const Section high = s.section("high_resolution_camera");
   high.add("enabled", c.high_resolution_camera.enabled, "whether its marking features are used");
-  high.add("range_max", c.high_resolution_camera.range_max, kMetres, "m", "features further ahead are dropped");
-  Section objects = s.section("objects");
+  high.add("range_max", c.high_resolution_camera.range_max, kMetres, "m",
+           "features further ahead are dropped");
+  const Section objects = s.section("objects");
   objects.add("enabled", c.objects.enabled, "whether other vehicles are used as witnesses");
   add_witness(objects.section("witness"), c.objects.witness);
   add_radar_tracker(objects.section("radar_tracker"), c.objects.radar_tracker);
-  Section ego = s.section("ego_path");
-  ego.add("enabled", c.ego_path.enabled, "whether the car itself bears witness of its lane; not in the paper");
+  const Section ego = s.section("ego_path");
+  ego.add("enabled", c.ego_path.enabled,
+          "whether the car itself bears witness of its lane; not in the paper");
   ego.add("driver_sigma", c.ego_path.driver_sigma, kSigma, "m", "its driver about the middle of the lane");
   ego.add("driver_heading_deg", c.ego_path.driver_heading_deg, kDegrees, "deg", "the same for the heading");
   ego.add("confidence", c.ego_path.confidence, kShare, "", "of each of its two features");
@@ -150,22 +173,24 @@ void add_sources(Section s, SourcesConfig& c) {
   add_width(ego, c.ego_path.default_width);
 }
 
-void add_association(Section s, AssociationConfig& c) {
+void add_association(const Section& s, AssociationConfig& c) {
   s.add("along", c.along, {0.01, 2.0}, "m", "gate along the feature's heading");
   s.add("across", c.across, {0.01, 5.0}, "m", "gate across it, at the car");
   s.add("across_per_metre", c.across_per_metre, {0.0, 0.1}, "m/m", "more across, the further ahead");
   s.add("heading_deg", c.heading_deg, kDegrees, "deg", "gate of the heading, plus twice the measured sigma");
 }
 
-void add_fusion(Section s, FusionConfig& c) {
+void add_fusion(const Section& s, FusionConfig& c) {
   s.add("keyframe_distance", c.keyframe_distance, {0.1, 50.0}, "m", "driven between two poses of the window");
   s.add("drop_behind", c.drop_behind, kMetres, "m", "features further behind are forgotten");
   s.add("drop_beyond", c.drop_beyond, kMetres, "m", "features further ahead are forgotten");
   s.add("drop_lateral", c.drop_lateral, kMetres, "m", "features further to the side are forgotten");
   s.add("drop_age_s", c.drop_age_s, {1.0, 3600.0}, "s", "features not measured for this long are forgotten");
-  s.add("sample_spacing", c.sample_spacing, {0.5, 20.0}, "m", "between the samples of a serial camera's clothoid");
+  s.add("sample_spacing", c.sample_spacing, {0.5, 20.0}, "m",
+        "between the samples of a serial camera's clothoid");
   s.add("sigma_along", c.sigma_along, kSigma, "m", "of every measurement along the marking, at least");
-  s.add("confidence_gain", c.confidence_gain, kShare, "", "share of a measurement's confidence that a feature takes over");
+  s.add("confidence_gain", c.confidence_gain, kShare, "",
+        "share of a measurement's confidence that a feature takes over");
   s.add("smoothing_edges", c.smoothing_edges, "tie successive features of a track");
   s.add("smoothing_sigma", c.smoothing_sigma, kSigma, "m", "how closely");
   s.add("smoothing_heading_deg", c.smoothing_heading_deg, kDegrees, "deg", "how closely in heading");
@@ -173,44 +198,56 @@ void add_fusion(Section s, FusionConfig& c) {
   s.add("width_sigma", c.width_sigma, kSigma, "m", "how closely, beside the width's own uncertainty");
   s.add("width_heading_deg", c.width_heading_deg, kDegrees, "deg", "how closely in heading");
   s.add("switchable", c.switchable, "let smoothing edges switch off");
-  s.add("switch_prior", c.switch_prior, {1e-3, 1e6}, "", "squared error from which a smoothing edge starts to switch off");
-  s.add("max_features", c.max_features, {16U, 1000000U}, "", "of the window; measurements beyond are dropped");
+  s.add("switch_prior", c.switch_prior, {1e-3, 1e6}, "",
+        "squared error from which a smoothing edge starts to switch off");
+  s.add("max_features", c.max_features, {16U, 1000000U}, "",
+        "of the window; measurements beyond are dropped");
   add_association(s.section("association"), c.association);
-  Section odometry = s.section("odometry");
+  const Section odometry = s.section("odometry");
   odometry.add("speed_scale", c.odometry.speed_scale, kSigma, "", "relative error of the speed");
   odometry.add("yaw_rate_white", c.odometry.yaw_rate_white, kSigma, "deg/sqrt(s)", "noise of the yaw rate");
   odometry.add("yaw_rate_bias", c.odometry.yaw_rate_bias, {0.0, 10.0}, "deg/s", "bias left in the yaw rate");
   odometry.add("slip", c.odometry.slip, {0.0, 1.0}, "m/m", "sideways slip a metre driven");
-  Section solver = s.section("solver");
+  const Section solver = s.section("solver");
   solver.add("max_iterations", c.solver.max_iterations, {1, 1000}, "", "Gauss-Newton iterations a cycle");
-  solver.add("relative_tolerance", c.solver.relative_tolerance, {0.0, 1.0}, "", "stop when the cost falls by less");
-  solver.add("switch_form", c.solver.switch_form, {"linear", "squared"}, "how a switch enters the cost: s J or s^2 J");
+  solver.add("relative_tolerance", c.solver.relative_tolerance, {0.0, 1.0}, "",
+             "stop when the cost falls by less");
+  solver.add("switch_form", c.solver.switch_form, {"linear", "squared"},
+             "how a switch enters the cost: s J or s^2 J");
 }
 
-void add_lanes(Section s, LaneModelConfig& c) {
-  Section base = s.section("base");
-  base.add("fit", c.base.fit, {"heading", "joint"}, "fit the road's course to headings (the paper's) or to positions, too");
+void add_lanes(const Section& s, LaneModelConfig& c) {
+  const Section base = s.section("base");
+  base.add("fit", c.base.fit, {"heading", "joint"},
+           "fit the road's course to headings (the paper's) or to positions, too");
   base.add("range_begin", c.base.range_begin, {-200.0, 200.0}, "m", "features further behind do not count");
   base.add("range_end", c.base.range_end, kMetres, "m", "features further ahead do not count");
-  base.add("outlier_cut", c.base.outlier_cut, {1.0, 100.0}, "", "residuals above this many robust sigmas are cut");
+  base.add("outlier_cut", c.base.outlier_cut, {1.0, 100.0}, "",
+           "residuals above this many robust sigmas are cut");
   base.add("max_iterations", c.base.max_iterations, {0, 100}, "", "of fitting and cutting");
   base.add("min_features", c.base.min_features, {3U, 1000U}, "", "fewer make no road course");
   base.add("curvature_sigma", c.base.curvature_sigma, kSigma, "1/m", "weak prior");
   base.add("curvature_rate_sigma", c.base.curvature_rate_sigma, {1e-12, 1.0}, "1/m^2", "weak prior");
-  base.add("heading_sigma_deg", c.base.heading_sigma_deg, kDegrees, "deg", "of a fully confident feature's heading, before the fit shows it");
+  base.add("heading_sigma_deg", c.base.heading_sigma_deg, kDegrees, "deg",
+           "of a fully confident feature's heading, before the fit shows it");
   base.add("position_sigma", c.base.position_sigma, kSigma, "m", "of a fully confident feature's position");
-  base.add("correlation", c.base.correlation, {1.0, 1000.0}, "", "features of paint that count as one in the covariance");
-  base.add("track_correlation", c.base.track_correlation, {1.0, 1000.0}, "", "features of a vehicle's trail that do");
+  base.add("correlation", c.base.correlation, {1.0, 1000.0}, "",
+           "features of paint that count as one in the covariance");
+  base.add("track_correlation", c.base.track_correlation, {1.0, 1000.0}, "",
+           "features of a vehicle's trail that do");
   s.add("group_gate", c.group_gate, {0.1, 5.0}, "m", "features further from every boundary are left over");
   s.add("birth_range", c.birth_range, kMetres, "m", "leftovers nearer than this may found a boundary");
   s.add("birth_window", c.birth_window, {0.01, 5.0}, "m", "across within which they must lie");
   s.add("birth_features", c.birth_features, {1U, 1000U}, "", "how many they must be");
-  s.add("birth_confidence", c.birth_confidence, kShare, "", "of each of them that no tracked vehicle witnessed");
+  s.add("birth_confidence", c.birth_confidence, kShare, "",
+        "of each of them that no tracked vehicle witnessed");
   s.add("birth_sigma", c.birth_sigma, kSigma, "m", "of the offset of a boundary just founded");
   s.add("birth_distance", c.birth_distance, {0.1, 10.0}, "m", "to the nearest boundary, at least");
   s.add("keep_features", c.keep_features, {1U, 1000U}, "", "such features that keep a boundary alive");
-  s.add("max_misses", c.max_misses, {0U, 10000U}, "", "cycles without them after which a boundary is forgotten");
-  s.add("merge_distance", c.merge_distance, {0.0, 10.0}, "m", "a boundary this near to an older one is forgotten");
+  s.add("max_misses", c.max_misses, {0U, 10000U}, "",
+        "cycles without them after which a boundary is forgotten");
+  s.add("merge_distance", c.merge_distance, {0.0, 10.0}, "m",
+        "a boundary this near to an older one is forgotten");
   s.add("lane_width_min", c.lane_width_min, {1.0, 10.0}, "m", "narrower gaps are no lane");
   s.add("lane_width_max", c.lane_width_max, {1.0, 20.0}, "m", "wider gaps are no lane");
   s.add("range_max", c.range_max, {10.0, 500.0}, "m", "no boundary speaks further");
@@ -222,7 +259,8 @@ void add_lanes(Section s, LaneModelConfig& c) {
   s.add("measured_offset", c.measured_offset, kSigma, "m", "a fit's offset is never better");
   s.add("measured_heading", c.measured_heading, kSigma, "rad", "a fit's heading is never better");
   s.add("measured_curvature", c.measured_curvature, kSigma, "1/m", "a fit's curvature is never better");
-  s.add("measured_curvature_rate", c.measured_curvature_rate, kSigma, "1/m^2", "a fit's curvature rate is never better");
+  s.add("measured_curvature_rate", c.measured_curvature_rate, kSigma, "1/m^2",
+        "a fit's curvature rate is never better");
 }
 
 }  // namespace

@@ -6,8 +6,10 @@ namespace lanefuse {
 
 const char* to_string(WitnessRule rule) {
   switch (rule) {
-    case WitnessRule::radar_and_camera: return "radar_and_camera";
-    case WitnessRule::radar_only: return "radar_only";
+    case WitnessRule::radar_and_camera:
+      return "radar_and_camera";
+    case WitnessRule::radar_only:
+      return "radar_only";
   }
   return "unknown";
 }

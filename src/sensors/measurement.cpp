@@ -5,13 +5,37 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 namespace lanefuse {
 namespace {
 
-bool is_covariance(const auto& matrix) {
-  if (!matrix.allFinite() || !matrix.isApprox(matrix.transpose(), 1e-6)) return false;
-  return matrix.llt().info() == Eigen::Success;
+constexpr double kFarthest = 1000;           ///< [m] no sensor of a car sees so far
+constexpr double kLargestTurn = 7;           ///< [rad] an angle, even if it has not been wrapped
+constexpr double kSmallestVariance = 1e-12;  ///< a micrometre: what claims less would outvote everything else
+constexpr double kLargestVariance = 1e6;     ///< a kilometre
+
+bool is_within(double value, double bound) { return std::abs(value) < bound; }
+
+bool is_bounded_and_symmetric(const auto& matrix) {
+  return matrix.allFinite() && matrix.cwiseAbs().maxCoeff() < kLargestVariance &&
+         matrix.isApprox(matrix.transpose(), 1e-6);
+}
+
+bool is_covariance(const Eigen::Matrix3d& matrix) {
+  return is_bounded_and_symmetric(matrix) && matrix.diagonal().minCoeff() > kSmallestVariance &&
+         matrix.llt().info() == Eigen::Success;
+}
+
+/// A clothoid's covariance may be singular: not every camera gives all four parameters.
+bool is_semidefinite(const Eigen::Matrix4d& matrix) {
+  if (!is_bounded_and_symmetric(matrix) || matrix.diagonal().minCoeff() < 0) return false;
+  // Correlations, as the variances lie ten decades apart.
+  Eigen::Vector4d scale = matrix.diagonal().cwiseSqrt();
+  for (double& sigma : scale) sigma = sigma > 0 ? 1 / sigma : 1;
+  const Eigen::Matrix4d correlation = scale.asDiagonal() * matrix * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(correlation, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().minCoeff() > -1e-6;
 }
 
 struct Plausibility {
@@ -26,11 +50,15 @@ struct Plausibility {
     return {};
   }
   std::optional<std::string> operator()(const SerialLane& lane) const {
-    if (lane.marking_width && !(*lane.marking_width > 0 && *lane.marking_width < 2)) return "marking width is not one";
+    if (lane.marking_width && !(*lane.marking_width > 0 && *lane.marking_width < 2))
+      return "marking width is not one";
     return {};
   }
   std::optional<std::string> operator()(const MarkingFeatures& markings) const {
-    if (markings.shared_error && !(markings.shared_error->sigma >= 0)) return "shared error is not a sigma";
+    if (markings.shared_error &&
+        !(markings.shared_error->sigma >= 0 && markings.shared_error->sigma < kFarthest)) {
+      return "shared error is not a sigma";
+    };
     return {};
   }
   std::optional<std::string> operator()(const RadarScan&) const { return {}; }
@@ -50,26 +78,31 @@ std::optional<std::string> implausible(const Measurement& measurement) {
 }
 
 bool is_plausible(const Feature& feature) {
-  const bool finite = std::isfinite(feature.x) && std::isfinite(feature.y) && std::isfinite(feature.heading);
-  return finite && std::abs(feature.x) < 1000 && std::abs(feature.y) < 1000 && feature.confidence >= 0 &&
-         feature.confidence <= 1 && is_covariance(feature.covariance);
+  return is_within(feature.x, kFarthest) && is_within(feature.y, kFarthest) &&
+         is_within(feature.heading, kLargestTurn) && feature.confidence >= 0 && feature.confidence <= 1 &&
+         is_covariance(feature.covariance);
 }
 
 bool is_plausible(const ClothoidMeasurement& measurement) {
-  return measurement.clothoid.vector().allFinite() && is_covariance(measurement.covariance) &&
-         std::isfinite(measurement.range_begin) && measurement.range_end >= measurement.range_begin &&
-         measurement.range_end < 1000 && measurement.confidence >= 0 && measurement.confidence <= 1;
+  const Clothoid& clothoid = measurement.clothoid;
+  const bool is_curve = is_within(clothoid.lateral_offset, kFarthest) &&
+                        is_within(clothoid.heading, kLargestTurn) && is_within(clothoid.curvature, 1) &&
+                        is_within(clothoid.curvature_rate, 1);
+  return is_curve && is_semidefinite(measurement.covariance) &&
+         is_within(measurement.range_begin, kFarthest) && is_within(measurement.range_end, kFarthest) &&
+         measurement.range_end >= measurement.range_begin && measurement.confidence >= 0 &&
+         measurement.confidence <= 1;
 }
 
 bool is_plausible(const TrackedObject& object) {
-  const bool finite = std::isfinite(object.x) && std::isfinite(object.y) && std::isfinite(object.heading);
-  return finite && std::abs(object.x) < 1000 && std::abs(object.y) < 1000 && std::abs(object.speed) < 150 &&
-         object.existence >= 0 && object.existence <= 1 && is_covariance(object.covariance);
+  return is_within(object.x, kFarthest) && is_within(object.y, kFarthest) &&
+         is_within(object.heading, kLargestTurn) && is_within(object.speed, 150) && object.existence >= 0 &&
+         object.existence <= 1 && is_covariance(object.covariance);
 }
 
 bool is_plausible(const RadarDetection& detection) {
-  return detection.range > 0 && detection.range < 1000 && std::abs(detection.bearing) <= 3.15 &&
-         std::abs(detection.range_rate) < 300;
+  return detection.range > 0 && detection.range < kFarthest && std::abs(detection.bearing) <= 3.15 &&
+         is_within(detection.range_rate, 300);
 }
 
 }  // namespace lanefuse

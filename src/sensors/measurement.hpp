@@ -34,7 +34,8 @@ struct VehicleMotion {
 };
 
 /// What a serial camera's lane detection hands over: the ego lane's markings, tracked [IROS16, sec. II-B].
-/// Its clothoids follow the *inner* edges of the paint; the serial camera's source shifts them to the centre line.
+/// Its clothoids follow the *inner* edges of the paint; the serial camera's source shifts them to the centre
+/// line.
 struct SerialLane {
   Stamp stamp;
   std::optional<ClothoidMeasurement> left;
@@ -42,7 +43,8 @@ struct SerialLane {
   std::optional<double> marking_width;  ///< [m] of the paint, where the camera measured it
 };
 
-/// Marking features of one high-resolution image, centre of the paint, in the vehicle frame [IROS16, sec. II-B].
+/// Marking features of one high-resolution image, centre of the paint, in the vehicle frame [IROS16, sec.
+/// II-B].
 struct MarkingFeatures {
   Stamp stamp;
   std::vector<Feature> features;
@@ -54,7 +56,8 @@ struct RadarDetection {
   double range = 0;       ///< [m] > 0
   double bearing = 0;     ///< [rad] from the radar's x axis, counter-clockwise
   double range_rate = 0;  ///< [m/s], positive when it moves away; not corrected for the ego motion
-  /// Some radars track inside: the slot that this reflection was filed under, and whether the slot was just taken anew.
+  /// Some radars track inside: the slot that this reflection was filed under, and whether the slot was just
+  /// taken anew.
   std::optional<std::int32_t> address;
   bool new_track = false;
 };
@@ -78,9 +81,9 @@ struct TrackedObject {
   double length = 4.5;  ///< [m]
   double width = 1.8;   ///< [m]
   MovementState movement = MovementState::unknown;
-  double existence = 1;          ///< probability in [0, 1]
-  bool seen_by_radar = false;    ///< verified by at least one radar measurement
-  bool seen_by_camera = false;   ///< verified by at least one camera measurement
+  double existence = 1;         ///< probability in [0, 1]
+  bool seen_by_radar = false;   ///< verified by at least one radar measurement
+  bool seen_by_camera = false;  ///< verified by at least one camera measurement
 };
 
 struct ObjectList {
@@ -93,13 +96,14 @@ using Measurement = std::variant<VehicleMotion, SerialLane, MarkingFeatures, Rad
 
 const Stamp& stamp_of(const Measurement& measurement);
 
-/// Why a measurement cannot be believed at all (not finite, a covariance that is none, a range below zero), or nothing.
-/// Parts that can be judged alone, a feature or an object, are judged by their sources instead.
+/// Why a measurement cannot be believed at all (not finite, a covariance that is none, a range below zero),
+/// or nothing. Parts that can be judged alone, a feature or an object, are judged by their sources instead.
 std::optional<std::string> implausible(const Measurement& measurement);
 
-/// Whether every number of a feature is finite, its confidence in [0, 1] and its covariance positive definite.
+/// Whether every number is finite and of a size that a car's sensors can see, the confidence in [0, 1], the
+/// range above zero and the covariance symmetric and positive definite (a clothoid's: semi-definite).
 bool is_plausible(const Feature& feature);
-bool is_plausible(const ClothoidMeasurement& clothoid);
+bool is_plausible(const ClothoidMeasurement& measurement);
 bool is_plausible(const TrackedObject& object);
 bool is_plausible(const RadarDetection& detection);
 

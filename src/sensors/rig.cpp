@@ -7,7 +7,8 @@
 namespace lanefuse {
 
 const SensorDescription* Rig::find(std::uint32_t id) const {
-  const auto found = std::find_if(sensors.begin(), sensors.end(), [id](const auto& sensor) { return sensor.id == id; });
+  const auto found =
+      std::find_if(sensors.begin(), sensors.end(), [id](const auto& sensor) { return sensor.id == id; });
   return found == sensors.end() ? nullptr : &*found;
 }
 
@@ -19,13 +20,20 @@ bool Rig::has_camera() const {
 
 const char* to_string(SensorKind kind) {
   switch (kind) {
-    case SensorKind::odometry: return "odometry";
-    case SensorKind::serial_camera: return "serial_camera";
-    case SensorKind::high_resolution_camera: return "high_resolution_camera";
-    case SensorKind::long_range_radar: return "long_range_radar";
-    case SensorKind::short_range_radar: return "short_range_radar";
-    case SensorKind::object_fusion: return "object_fusion";
-    case SensorKind::gnss_ins: return "gnss_ins";
+    case SensorKind::odometry:
+      return "odometry";
+    case SensorKind::serial_camera:
+      return "serial_camera";
+    case SensorKind::high_resolution_camera:
+      return "high_resolution_camera";
+    case SensorKind::long_range_radar:
+      return "long_range_radar";
+    case SensorKind::short_range_radar:
+      return "short_range_radar";
+    case SensorKind::object_fusion:
+      return "object_fusion";
+    case SensorKind::gnss_ins:
+      return "gnss_ins";
   }
   return "unknown";
 }

@@ -19,8 +19,9 @@ enum class SensorKind : std::uint8_t {
 };
 const char* to_string(SensorKind kind);
 
-/// Where a sensor sits: the pose of its frame in the vehicle frame (ISO 8855, origin at road height under the middle of
-/// the front axle). Metres and radians; roll, pitch, yaw turn about x, y, z in the order yaw, pitch, roll.
+/// Where a sensor sits: the pose of its frame in the vehicle frame (ISO 8855, origin at road height under the
+/// middle of the front axle). Metres and radians; roll, pitch, yaw turn about x, y, z in the order yaw,
+/// pitch, roll.
 struct Mounting {
   double x = 0;
   double y = 0;

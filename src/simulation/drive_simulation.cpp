@@ -87,17 +87,6 @@ double DriveSimulation::progress() const {
   return std::clamp((traffic_.ego().station - kLeadIn) / (config_.km * 1000), 0.0, 1.0);
 }
 
-Scene DriveSimulation::scene() const {
-  Scene scene;
-  scene.time = kSimulationStart + ticks_ * kTick;
-  scene.road = road_.get();
-  scene.ego = in_scene(traffic_.ego(), *road_);
-  for (const Vehicle& vehicle : traffic_.vehicles()) {
-    if (vehicle.id != kEgoId) scene.vehicles.push_back(in_scene(vehicle, *road_));
-  }
-  return scene;
-}
-
 bool DriveSimulation::is_due(double hz) const { return ticks_ % ticks_a_period(hz, "sensor") == 0; }
 
 void DriveSimulation::measure(const Scene& now) {
@@ -122,7 +111,7 @@ bool DriveSimulation::step(std::vector<Measurement>& measurements, std::vector<T
   measurements.clear();
   truth.clear();
   if (over_) return false;
-  const Scene now = scene();
+  const Scene now = scene_at(kSimulationStart + ticks_ * kTick, *road_, traffic_);
   measure(now);
   if (is_due(preset_.fusion_hz)) truth.push_back(true_frame(now));
   over_ = progress() >= 1;

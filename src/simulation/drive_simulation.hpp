@@ -60,7 +60,6 @@ class DriveSimulation {
 
   void add_sensors();
   void measure(const Scene& now);
-  [[nodiscard]] Scene scene() const;
   [[nodiscard]] bool is_due(double hz) const;
   void hand_out(Time now, std::vector<Measurement>& measurements);
 };

@@ -10,7 +10,7 @@ namespace lanefuse {
 namespace {
 
 constexpr double kChangeTime = 4;  ///< [s] of a lane change
-constexpr double kReaction = 0.5;  ///< [s] of the hands, and of the car
+constexpr double kReaction = 0.8;  ///< [s] of the hands, and of the car
 
 /// Two lags of the reaction take away some of the wander's variance; its intent is larger by this factor.
 double intent_gain(double tau) {

@@ -14,7 +14,7 @@ constexpr double kTruckPace = 24.5;    ///< [m/s] just below the limiter
 constexpr double kPaceSpread = 2;      ///< [m/s] sigma over the drivers
 constexpr double kLeastHeadway = 40;   ///< [m] from rear to rear of vehicles that enter
 constexpr double kLeastGap = 10;       ///< [m] for a lane change, in front and behind
-constexpr double kGapWait = 8;         ///< [s] usual time until there is a gap
+constexpr double kGapWait = 6;         ///< [s] usual time until there is a gap
 constexpr double kPoliteBraking = -3;  ///< [m/s^2] asked of anyone by a lane change
 
 double usual_speed(const Road& road, int lane) {
@@ -184,6 +184,14 @@ void Traffic::enter_at(int lane, double station, bool ahead) {
   Headways& headways = headways_[lane];
   (ahead ? headways.front : headways.rear) = draw_headway();
   vehicles_.push_back(std::move(vehicle));
+}
+
+Scene scene_at(Time time, const Road& road, const Traffic& traffic) {
+  Scene scene{time, &road, in_scene(traffic.ego(), road), {}};
+  for (const Vehicle& vehicle : traffic.vehicles()) {
+    if (vehicle.id != kEgoId) scene.vehicles.push_back(in_scene(vehicle, road));
+  }
+  return scene;
 }
 
 }  // namespace lanefuse

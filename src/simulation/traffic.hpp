@@ -61,4 +61,7 @@ class Traffic {
 
 inline constexpr double kTrafficReach = 300;  ///< [m] ahead of and behind the ego car
 
+/// Where all of the traffic is.
+Scene scene_at(Time time, const Road& road, const Traffic& traffic);
+
 }  // namespace lanefuse

@@ -19,7 +19,8 @@ struct DeadReckoningConfig {
   YawRateBiasConfig bias;
 };
 
-/// Integrates what the car's buses say of its motion, u = [yaw rate, speed] of [IROS16, sec. II-E1], to a path.
+/// Integrates what the car's buses say of its motion, u = [yaw rate, speed] of [IROS16, sec. II-E1], to a
+/// path.
 class DeadReckoning {
  public:
   explicit DeadReckoning(const DeadReckoningConfig& config) : config_(config), bias_(config.bias) {}
@@ -38,7 +39,7 @@ class DeadReckoning {
   void reset();
 
  private:
-  void extend(Time time);
+  void extend(Time time, double speed, double yaw_rate);
 
   DeadReckoningConfig config_;
   YawRateBias bias_;

@@ -25,8 +25,7 @@ void EgoPathSource::collect(Time, const SourceContext& context, std::vector<Feat
     Feature feature;
     feature.y = (side == Side::left ? 0.5 : -0.5) * set.lane_width->mean;
     feature.confidence = config_.confidence;
-    feature.covariance =
-        Eigen::Vector3d(kSigmaAlong, config_.driver_sigma, heading).cwiseAbs2().asDiagonal();
+    feature.covariance = Eigen::Vector3d(kSigmaAlong, config_.driver_sigma, heading).cwiseAbs2().asDiagonal();
     feature.track_id = kEgoTrack;
     feature.source = Source::ego_path;
     feature.side = side;

@@ -29,8 +29,9 @@ class FeatureSource {
  public:
   virtual ~FeatureSource() = default;
 
-  /// Takes a measurement, if it is this source's to take. The result counts its items (features, objects, detections,
-  /// clothoids): all zero for a measurement that is another source's. Bad items are rejected, never thrown for.
+  /// Takes a measurement, if it is this source's to take. The result counts its items (features, objects,
+  /// detections, clothoids): all zero for a measurement that is another source's. Bad items are rejected,
+  /// never thrown for.
   virtual InputAccounting add(const Measurement& measurement, const SourceContext& context) = 0;
 
   /// Appends what has come together since the last call.

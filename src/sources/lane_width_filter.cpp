@@ -7,9 +7,9 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kNarrowest = 2.0;  ///< [m] no lane is narrower
-constexpr double kWidest = 6.0;     ///< [m] nor wider
-constexpr double kGain = 0.05;      ///< share of a new measurement
+constexpr double kNarrowest = 2.0;    ///< [m] no lane is narrower
+constexpr double kWidest = 6.0;       ///< [m] nor wider
+constexpr double kGain = 0.05;        ///< share of a new measurement
 constexpr double kSigmaFloor = 0.05;  ///< [m]
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 namespace lanefuse {
 
-/// The ego lane's width as the serial camera sees it, for the features of other vehicles [IROS16, sec. II-E4: "w is taken
-/// from the SMC clothoids if available"]. A slow average: a lane's width changes over hundreds of metres, the measured
-/// one in every frame.
+/// The ego lane's width as the serial camera sees it, for the features of other vehicles [IROS16, sec. II-E4:
+/// "w is taken from the SMC clothoids if available"]. A slow average: a lane's width changes over hundreds of
+/// metres, the measured one in every frame.
 class LaneWidthFilter {
  public:
   void update(const FeatureSet& set);

@@ -42,8 +42,8 @@ InputAccounting ObjectSource::add_scan(const RadarScan& scan, const SourceContex
   InputAccounting accounting{0, scan.detections.size() - good.detections.size(), 0};
   const SensorDescription* radar = context.rig.find(scan.stamp.sensor_id);
   Pose2 odometry_from_vehicle;
-  const bool moved =
-      !context.motion.empty() && pose_at(context.motion, scan.stamp.measured_at, kReach, odometry_from_vehicle);
+  const bool moved = !context.motion.empty() &&
+                     pose_at(context.motion, scan.stamp.measured_at, kReach, odometry_from_vehicle);
   if (!radar || !moved ||
       !tracker_.update(good, viewpoint(radar->mounting, odometry_from_vehicle, context.motion.back()))) {
     accounting.dropped = good.detections.size();

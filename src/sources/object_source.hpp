@@ -14,8 +14,8 @@ struct ObjectSourceConfig {
   RadarTrackerConfig radar_tracker;
 };
 
-/// Other vehicles as witnesses of their lanes [IROS16, sec. II-E4]: from the object lists of a production fusion, and
-/// from raw radar scans through a tracker of our own.
+/// Other vehicles as witnesses of their lanes [IROS16, sec. II-E4]: from the object lists of a production
+/// fusion, and from raw radar scans through a tracker of our own.
 class ObjectSource final : public FeatureSource {
  public:
   explicit ObjectSource(const ObjectSourceConfig& config) : config_(config), tracker_(config.radar_tracker) {}
@@ -26,7 +26,8 @@ class ObjectSource final : public FeatureSource {
  private:
   InputAccounting add_list(const ObjectList& list, const SourceContext& context);
   InputAccounting add_scan(const RadarScan& scan, const SourceContext& context);
-  void bear_witness(const std::vector<TrackedObject>& objects, const Stamp& stamp, const SourceContext& context);
+  void bear_witness(const std::vector<TrackedObject>& objects, const Stamp& stamp,
+                    const SourceContext& context);
 
   ObjectSourceConfig config_;
   RadarTracker tracker_;

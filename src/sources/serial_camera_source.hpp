@@ -12,8 +12,9 @@ struct SerialCameraConfig {
   double covariance_inflation = 1;  ///< factor on the clothoids' covariance
 };
 
-/// The serial camera's tracked ego lane [IROS16, secs. II-B, II-E2]. Its clothoids follow the inner edges of the paint;
-/// here they move outward by half its width, to the centre line that all of Lanefuse means by a boundary.
+/// The serial camera's tracked ego lane [IROS16, secs. II-B, II-E2]. Its clothoids follow the inner edges of
+/// the paint; here they move outward by half its width, to the centre line that all of Lanefuse means by a
+/// boundary.
 class SerialCameraSource final : public FeatureSource {
  public:
   explicit SerialCameraSource(const SerialCameraConfig& config) : config_(config) {}

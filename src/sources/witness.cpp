@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sources/witness.hpp"
 
-
 #include <cmath>
 #include <numbers>
 
@@ -18,10 +17,11 @@ constexpr double kDegree = std::numbers::pi / 180;
 bool is_witness(const TrackedObject& object, const WitnessConfig& config) {
   const bool verified =
       object.seen_by_radar && (object.seen_by_camera || config.rule == WitnessRule::radar_only);
-  const bool driving = object.movement != MovementState::stationary && object.movement != MovementState::stopped &&
-                       object.speed > config.min_speed;
+  const bool driving = object.movement != MovementState::stationary &&
+                       object.movement != MovementState::stopped && object.speed > config.min_speed;
   const bool ahead = object.x > config.range_begin && object.x < config.range_max;
-  return verified && driving && ahead && std::abs(wrap_angle(object.heading)) < config.max_heading_deg * kDegree;
+  return verified && driving && ahead &&
+         std::abs(wrap_angle(object.heading)) < config.max_heading_deg * kDegree;
 }
 
 void add_witness_features(const TrackedObject& object, const LaneWidth& width, const WitnessConfig& config,

@@ -24,11 +24,12 @@ struct WitnessConfig {
   LaneWidth default_width;          ///< where no camera measures the lane
 };
 
-/// Whether a tracked vehicle may bear witness: driving, ahead, in our direction, and verified as the rule demands.
+/// Whether a tracked vehicle may bear witness: driving, ahead, in our direction, and verified as the rule
+/// demands.
 bool is_witness(const TrackedObject& object, const WitnessConfig& config);
 
-/// Appends the two features of a witness: left and right of it, half a lane's width away, perpendicular to its heading.
-/// Their covariance is the object's plus the drivers' spread.
+/// Appends the two features of a witness: left and right of it, half a lane's width away, perpendicular to
+/// its heading. Their covariance is the object's plus the drivers' spread.
 void add_witness_features(const TrackedObject& object, const LaneWidth& width, const WitnessConfig& config,
                           std::vector<Feature>& features);
 

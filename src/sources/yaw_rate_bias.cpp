@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sources/yaw_rate_bias.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace lanefuse {
@@ -28,21 +29,21 @@ void YawRateBias::add(const VehicleMotion& motion) {
     state_.covariance(0, 0) += drift * drift * to_seconds(time - *last_);
   }
   last_ = time;
-  if (motion.speed) stands_ = *motion.speed < config_.standstill_speed;
+  if (motion.speed) stands_ = std::abs(*motion.speed) < config_.standstill_speed;
   if (motion.yaw_rate) {
     gyro_sum_ += *motion.yaw_rate;
     ++gyro_count_;
     if (stands_) compare_with_standstill(*motion.yaw_rate);
   }
-  if (motion.wheel_speeds && gyro_count_ > 0) compare_with_wheels(motion);
+  if (motion.wheel_speeds && gyro_count_ > 0) compare_with_wheels(*motion.wheel_speeds);
 }
 
-void YawRateBias::compare_with_wheels(const VehicleMotion& wheels) {
+void YawRateBias::compare_with_wheels(const std::array<double, 4>& wheel_speeds) {
   const double gyro = gyro_sum_ / gyro_count_;
   gyro_sum_ = 0;
   gyro_count_ = 0;
-  const double left = (*wheels.wheel_speeds)[2];
-  const double right = (*wheels.wheel_speeds)[3];
+  const double left = wheel_speeds[2];
+  const double right = wheel_speeds[3];
   const double from_wheels = (right - left) / config_.track_width;
   // gyro - wheels = bias - mismatch * v / track
   const Eigen::RowVector2d jacobian(1, -(left + right) / 2 / config_.track_width);

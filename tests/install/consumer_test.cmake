@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 # SPDX-License-Identifier: Apache-2.0
 #
-# cmake -D BUILD=... -D WORK=... -D CONSUMER=... -D COMPILER=... [-D SANITIZE=...] -P consumer_test.cmake
+# cmake -D BUILD=... -D WORK=... -D CONSUMER=... -D LESSON=... -D COMPILER=... [-D SANITIZE=...] -P consumer_test.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -32,4 +32,7 @@ run(${WORK}/build/consumer)
 if(NOT output MATCHES "20.00 1.75")
   message(FATAL_ERROR "The consumer said: ${output}")
 endif()
+run(${CMAKE_COMMAND} -S ${LESSON} -B ${WORK}/lesson -D CMAKE_PREFIX_PATH=${WORK}/prefix
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${flags})
+run(${CMAKE_COMMAND} --build ${WORK}/lesson)
 file(REMOVE_RECURSE ${WORK})

@@ -134,7 +134,9 @@ TEST(LanesRecording, ViewersSeeBoundariesFeaturesAndSwitchedOffEdges) {
   ASSERT_EQ(scenes[0].entities_size(), 4);
   EXPECT_EQ(scenes[0].entities(0).frame_id(), "vehicle");
   EXPECT_EQ(scenes[0].entities(0).lines_size(), 2) << "two boundaries";
-  EXPECT_EQ(scenes[0].entities(1).cubes_size(), 2) << "two fused features";
+  int dashes = 0;
+  for (const auto& line : scenes[0].entities(1).lines()) dashes += line.points_size() / 2;
+  EXPECT_EQ(dashes, 2) << "two fused features";
   EXPECT_EQ(scenes[0].entities(2).lines_size(), 1) << "the road course";
   EXPECT_EQ(scenes[0].entities(3).lines_size(), 1) << "one of two switches is off";
 }

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "support/simulated_run.hpp"
+
+namespace lanefuse {
+namespace {
+
+using testing::SimulatedDrive;
+
+double seconds_of(const LaneEstimate& estimate) { return to_seconds(estimate.time - kSimulationStart); }
+
+/// The lanes of a drive in which one kind of measurement is missing from second `from` to second `to`.
+template <typename Lost>
+std::vector<LaneEstimate> without(double from, double to) {
+  SimulatedDrive drive = testing::short_drive();
+  std::erase_if(drive.measurements, [&](const Measurement& measurement) {
+    const double seconds = to_seconds(stamp_of(measurement).measured_at - kSimulationStart);
+    return std::holds_alternative<Lost>(measurement) && seconds > from && seconds < to;
+  });
+  return testing::perceive(drive);
+}
+
+TEST(LostOdometry, EndsTheEstimateUntilItComesBack) {
+  int invalid = 0;
+  const auto estimates = without<VehicleMotion>(4, 6);
+  for (const LaneEstimate& estimate : estimates) {
+    const double seconds = seconds_of(estimate);
+    if (seconds > 4.2 && seconds < 6) {
+      EXPECT_EQ(estimate.status, EstimateStatus::invalid) << seconds;
+      EXPECT_EQ(estimate.reason, StatusReason::no_motion) << seconds;
+      EXPECT_TRUE(estimate.boundaries.empty()) << seconds;
+      EXPECT_TRUE(estimate.lanes.empty()) << seconds;
+      EXPECT_EQ(estimate.speed, 0) << seconds;
+      ++invalid;
+    }
+    if (seconds > 8) {
+      EXPECT_EQ(estimate.status, EstimateStatus::ok) << seconds;
+    }
+  }
+  EXPECT_GT(invalid, 20);
+  EXPECT_GT(seconds_of(estimates.back()), 9);
+}
+
+TEST(LostOdometry, IsBridgedWhereItIsShort) {
+  const auto estimates = without<VehicleMotion>(4, 4.4);
+  std::vector<std::uint64_t> before;
+  for (const LaneEstimate& estimate : estimates) {
+    if (seconds_of(estimate) > 4) break;
+    before.clear();
+    for (const Boundary& boundary : estimate.boundaries) before.push_back(boundary.id);
+  }
+  const auto after = std::ranges::find_if(estimates, [](const auto& e) { return seconds_of(e) > 5; });
+  ASSERT_NE(after, estimates.end());
+  EXPECT_EQ(after->status, EstimateStatus::ok);
+  for (const std::uint64_t id : before) EXPECT_NE(find_boundary(*after, id), nullptr) << "boundary " << id;
+}
+
+template <typename Lost>
+void expect_silence(Source source) {
+  int silent = 0;
+  for (const LaneEstimate& estimate : without<Lost>(5, 100)) {
+    const auto& status = estimate.sources[static_cast<std::size_t>(source)];
+    const double seconds = seconds_of(estimate);
+    if (seconds > 2 && seconds < 5) {
+      EXPECT_EQ(status, SourceStatus::ok) << seconds;
+    }
+    if (seconds < 6) continue;
+    EXPECT_EQ(status, SourceStatus::unavailable) << seconds;
+    EXPECT_NE(estimate.status, EstimateStatus::ok) << seconds;
+    if (estimate.status == EstimateStatus::degraded && estimate.reason == StatusReason::source_silent)
+      ++silent;
+    for (const Source other : {Source::serial_camera, Source::high_resolution_camera, Source::objects}) {
+      if (other == source) continue;
+      EXPECT_EQ(estimate.sources[static_cast<std::size_t>(other)], SourceStatus::ok) << seconds;
+    }
+  }
+  EXPECT_GT(silent, 30) << "of the 50 cycles that follow";
+}
+
+TEST(SilentSource, DegradesTheEstimateAndIsNamed) {
+  expect_silence<MarkingFeatures>(Source::high_resolution_camera);
+  expect_silence<SerialLane>(Source::serial_camera);
+  expect_silence<ObjectList>(Source::objects);
+}
+
+TEST(SilentSource, IsNoneThatNeverSpoke) {
+  const auto estimates = without<ObjectList>(-1, 100);
+  EXPECT_EQ(estimates.back().status, EstimateStatus::ok);
+  EXPECT_EQ(estimates.back().sources[static_cast<std::size_t>(Source::objects)], SourceStatus::unavailable);
+}
+
+}  // namespace
+}  // namespace lanefuse

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/damaged_stream.hpp"
+#include "support/simulated_run.hpp"
+
+namespace lanefuse {
+namespace {
+
+using testing::perceive;
+using testing::SimulatedDrive;
+
+/// A sound drive and its lanes: what damaged ones are compared with.
+class Stream : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::vector<LaneEstimate> lanes_of(const std::vector<Measurement>& stream) const {
+    MultiLanePerception perception({}, drive_.rig);
+    return perceive(perception, stream);
+  }
+  void expect_same_lanes(const std::vector<Measurement>& stream) const {
+    const auto estimates = lanes_of(stream);
+    ASSERT_EQ(estimates.size(), sound_.size());
+    EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size()) << "the first cycle that differs";
+  }
+
+  const SimulatedDrive drive_ = testing::short_drive();
+  const std::vector<LaneEstimate> sound_ = perceive(drive_);
+};
+
+InputAccounting sum_of(const std::vector<LaneEstimate>& estimates) {
+  InputAccounting sum;
+  for (const LaneEstimate& estimate : estimates) sum += estimate.inputs;
+  return sum;
+}
+
+TEST_F(Stream, IsUsedWholeWhereItIsSound) {
+  const InputAccounting inputs = sum_of(sound_);
+  EXPECT_EQ(inputs.used + inputs.dropped, testing::items_in(drive_.measurements));
+  EXPECT_EQ(inputs.rejected, 0U);
+  EXPECT_LT(inputs.dropped, inputs.used / 20) << "features beyond the camera's range";
+  EXPECT_EQ(sound_.back().status, EstimateStatus::ok);
+  EXPECT_GE(sound_.back().lanes.size(), 2U);
+}
+
+TEST_F(Stream, GivesTheSameBitsAgain) { expect_same_lanes(drive_.measurements); }
+
+TEST_F(Stream, MayComeTwice) {
+  std::vector<Measurement> twice;
+  for (const Measurement& measurement : drive_.measurements) twice.insert(twice.end(), 2, measurement);
+  expect_same_lanes(twice);
+}
+
+TEST_F(Stream, MayBeRepeatedLater) {
+  std::vector<Measurement> repeated = drive_.measurements;
+  for (const Measurement& measurement : drive_.measurements) {
+    repeated.push_back(measurement);
+    testing::stamp_in(repeated.back()).received_at += std::chrono::milliseconds(300);
+  }
+  std::ranges::stable_sort(repeated, {}, [](const Measurement& m) { return stamp_of(m).received_at; });
+  const auto estimates = lanes_of(repeated);
+  EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size() - 1)
+      << "the last cycle has heard more";
+}
+
+TEST_F(Stream, MayBeShuffledWithinACycle) {
+  std::map<std::int64_t, std::vector<Measurement>> cycles;
+  for (const Measurement& measurement : drive_.measurements) {
+    cycles[stamp_of(measurement).received_at.time_since_epoch() / std::chrono::milliseconds(80)].push_back(
+        measurement);
+  }
+  std::mt19937 random(3);
+  std::vector<Measurement> shuffled;
+  for (auto& [cycle, measurements] : cycles) {
+    std::ranges::shuffle(measurements, random);
+    shuffled.insert(shuffled.end(), measurements.begin(), measurements.end());
+  }
+  expect_same_lanes(shuffled);
+}
+
+TEST_F(Stream, LosesNothingToDamagedNeighbours) {
+  std::vector<Measurement> stream = drive_.measurements;
+  for (Measurement& measurement : stream) std::visit(testing::AddDamagedItem{}, measurement);
+  expect_same_lanes(stream);
+  const InputAccounting inputs = sum_of(lanes_of(stream));
+  EXPECT_EQ(inputs.rejected, testing::items_in(stream) - testing::items_in(drive_.measurements));
+}
+
+class DamagedStream : public Stream, public ::testing::WithParamInterface<std::uint32_t> {};
+
+TEST_P(DamagedStream, IsAccountedForToTheLastItem) {
+  const std::vector<Measurement> stream = testing::damaged(drive_.measurements, GetParam());
+  const auto estimates = lanes_of(stream);
+  const InputAccounting inputs = sum_of(estimates);
+  EXPECT_EQ(inputs.used + inputs.rejected + inputs.dropped, testing::items_in(stream));
+  EXPECT_GT(inputs.rejected, 50U);
+  EXPECT_GT(inputs.dropped, 50U);
+  for (const LaneEstimate& estimate : estimates) {
+    for (const Boundary& boundary : estimate.boundaries) {
+      EXPECT_TRUE(boundary.clothoid.vector().allFinite());
+      EXPECT_TRUE(boundary.covariance.allFinite());
+    }
+  }
+  EXPECT_EQ(estimates.back().status, EstimateStatus::ok);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DamagedStream, ::testing::Range(1U, 7U));
+
+TEST_F(Stream, IsForgottenOnReset) {
+  MultiLanePerception perception({}, drive_.rig);
+  perceive(perception, drive_.measurements);
+  perception.reset();
+  EXPECT_EQ(perception.advance(Time::max()), nullptr) << "the clock stands again";
+  const auto again = perceive(perception, drive_.measurements);
+  ASSERT_EQ(again.size(), sound_.size());
+  EXPECT_EQ(testing::first_difference(sound_, again), sound_.size());
+  for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].inputs, sound_[i].inputs);
+}
+
+TEST_F(Stream, CutsListsThatAreTooLong) {
+  PerceptionConfig config;
+  config.max_objects = 2;
+  MultiLanePerception perception(config, drive_.rig);
+  const Stamp stamp = stamp_of(drive_.measurements.front());
+  perception.add(ObjectList{stamp, std::vector<TrackedObject>(5, TrackedObject{1, 40})});
+  const LaneEstimate* lanes = perception.advance(stamp.received_at + std::chrono::seconds(1));
+  ASSERT_NE(lanes, nullptr);
+  EXPECT_EQ(lanes->inputs, (InputAccounting{2, 0, 3}));
+}
+
+}  // namespace
+}  // namespace lanefuse
