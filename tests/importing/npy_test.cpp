@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importing/npy.hpp"
 
+#include <ostream>
+
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
@@ -98,6 +100,11 @@ TEST(Npy, RefusesAnUnknownVersion) {
 struct Refusal {
   std::string header;
   std::string reason;
+
+  /// Names the test in reports.
+  friend std::ostream& operator<<(std::ostream& stream, const Refusal& refusal) {
+    return stream << refusal.reason;
+  }
 };
 
 class NpyRefusal : public ::testing::TestWithParam<Refusal> {};
