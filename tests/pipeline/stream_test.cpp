@@ -80,8 +80,9 @@ TEST_F(Stream, MayBeRepeatedLater) {
 TEST_F(Stream, MayBeShuffledWithinACycle) {
   std::map<std::int64_t, std::vector<Measurement>> cycles;
   for (const Measurement& measurement : drive_.measurements) {
-    cycles[stamp_of(measurement).received_at.time_since_epoch() / std::chrono::milliseconds(80)].push_back(
-        measurement);
+    // What arrives at the very moment of a cycle belongs to it.
+    const Duration received = stamp_of(measurement).received_at.time_since_epoch() - Duration(1);
+    cycles[received / std::chrono::milliseconds(80)].push_back(measurement);
   }
   std::mt19937 random(3);
   std::vector<Measurement> shuffled;
