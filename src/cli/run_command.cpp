@@ -56,12 +56,14 @@ struct RunTotals {
   Time last{};
   InputAccounting inputs;
   GraphSize graph;
+  std::optional<double> first_rejection;  ///< [s] since the first cycle
 
   void add(const LaneEstimate& estimate, const DebugView& debug) {
     ++cycles;
     if (!first) first = estimate.time;
     last = estimate.time;
     inputs += estimate.inputs;
+    if (!first_rejection && estimate.inputs.rejected > 0) first_rejection = duration();
     graph.poses = std::max(graph.poses, debug.graph.poses);
     graph.features = std::max(graph.features, debug.graph.features);
     graph.edges = std::max(graph.edges, debug.graph.edges);
@@ -127,6 +129,14 @@ void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTot
   }
 }
 
+void report_rejections(const RunOptions& options, const RunTotals& totals) {
+  throw input_error(
+      fmt::format("{}, cycle at {:.2f} s", options.drive.string(), totals.first_rejection.value_or(0)),
+      fmt::format("holds impossible inputs: {} were rejected here and later", totals.inputs.rejected),
+      "all others were fused; a number that is not finite or a covariance that is none comes from the "
+      "recorder");
+}
+
 void report_damage(const RunOptions& options, const ReadReport& report) {
   throw input_error(
       options.drive.string(), "damaged: " + report.first_problem,
@@ -165,6 +175,8 @@ int run(const RunOptions& options) {
     perception.add(measurement);
     progress.show_seconds(totals.duration());
   }
+  // One cycle more takes in, and accounts for, what came after the last.
+  if (totals.cycles > 0) advance(perception, end + from_seconds(1 / config.cycle_hz), watch, totals, writer);
   if (totals.cycles == 0) {
     throw input_error(options.drive.string(), "holds less than one cycle of motion", "nothing was written");
   }
@@ -179,6 +191,7 @@ int run(const RunOptions& options) {
   }
   const ReadReport report = reader.report();
   if (!report.complete()) report_damage(options, report);
+  if (totals.first_rejection) report_rejections(options, totals);
   return 0;
 }
 

@@ -10,6 +10,8 @@
 namespace lanefuse {
 namespace {
 
+constexpr Duration kLongestHole = std::chrono::seconds(10);
+
 /// How many things a measurement holds: what the accounting counts.
 struct ItemCount {
   std::uint64_t operator()(const VehicleMotion&) const { return 1; }
@@ -101,16 +103,13 @@ void MultiLanePerception::add(Measurement measurement) {
     inputs_.rejected += item_count(measurement);
     return;
   }
-  if (seen_before(measurement)) {
+  if (is_long_past(measurement) || seen_before(measurement)) {
     inputs_.dropped += item_count(measurement);
     return;
   }
   // The first cycle is on the first whole period after the first measurement: the same for a live stream and
   // its replay.
-  if (!next_cycle_) {
-    const auto since_epoch = stamp_of(measurement).received_at.time_since_epoch();
-    next_cycle_ = Time{(since_epoch / period_ + 1) * period_};
-  }
+  if (!next_cycle_) next_cycle_ = last_cycle_until(stamp_of(measurement).received_at) + period_;
   pending_.push_back(std::move(measurement));
 }
 
@@ -121,9 +120,21 @@ bool MultiLanePerception::seen_before(const Measurement& measurement) {
   return !seen.insert(stamp.measured_at).second;
 }
 
+Time MultiLanePerception::last_cycle_until(Time time) const {
+  return Time{time.time_since_epoch() / period_ * period_};
+}
+
+bool MultiLanePerception::is_long_past(const Measurement& measurement) const {
+  const Time received = stamp_of(measurement).received_at;
+  return next_cycle_ && *next_cycle_ - received > period_ + from_seconds(config_.reorder_window_s);
+}
+
 const LaneEstimate* MultiLanePerception::advance(Time now) {
   // Strictly later: what arrives at the very moment of a cycle belongs to it.
   if (!next_cycle_ || now <= *next_cycle_) return nullptr;
+  // A stamp far ahead, of a broken clock or behind a hole in the recording, is no reason to run every cycle
+  // until then.
+  if (now - *next_cycle_ > kLongestHole) next_cycle_ = last_cycle_until(now);
   const Time time = std::exchange(*next_cycle_, *next_cycle_ + period_);
   run_sources(time);
   if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) estimator_->reset();

@@ -57,6 +57,8 @@ class MultiLanePerception {
   void run_sources(Time now);
   void take(const Measurement& measurement, const SourceContext& context);
   bool seen_before(const Measurement& measurement);
+  [[nodiscard]] bool is_long_past(const Measurement& measurement) const;
+  [[nodiscard]] Time last_cycle_until(Time time) const;
   void judge_sources(Time now, LaneEstimate& estimate) const;
 
   PerceptionConfig config_;

@@ -2,77 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/settings.hpp"
 
-#include <charconv>
-#include <concepts>
 #include <utility>
 
-#include <fmt/format.h>
+#include "pipeline/settings_section.hpp"
 
 namespace lanefuse {
 namespace {
-
-template <typename Number>
-bool parse_number(const std::string& text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
-
-/// Collects the settings below one key.
-class Section {
- public:
-  Section(std::vector<Setting>& settings, std::string prefix)
-      : settings_(settings), prefix_(std::move(prefix)) {}
-
-  template <typename Number>
-  requires(std::floating_point<Number> ||
-           (std::integral<Number> && !std::same_as<Number, bool>)) void add(const char* key, Number& value,
-                                                                            std::pair<Number, Number> range,
-                                                                            const char* unit,
-                                                                            const char* effect) const {
-    settings_.push_back({prefix_ + key, unit, effect, fmt::format("{} .. {}", range.first, range.second),
-                         [&value] { return fmt::format("{}", value); },
-                         [&value, range](const std::string& text) {
-                           Number number{};
-                           if (!parse_number(text, number) ||
-                               !(number >= range.first && number <= range.second)) {
-                             return false;
-                           }
-                           value = number;
-                           return true;
-                         }});
-  }
-
-  void add(const char* key, bool& value, const char* effect) const {
-    settings_.push_back({prefix_ + key, "", effect, "true, false",
-                         [&value] { return value ? "true" : "false"; },
-                         [&value](const std::string& text) {
-                           if (text != "true" && text != "false") return false;
-                           value = text == "true";
-                           return true;
-                         }});
-  }
-
-  /// A choice among names; the names are in the order of the enumeration's values.
-  template <typename Choice>
-  void add(const char* key, Choice& value, const std::vector<std::string>& names, const char* effect) const {
-    settings_.push_back({prefix_ + key, "", effect, fmt::format("{}", fmt::join(names, ", ")),
-                         [&value, names] { return names[static_cast<std::size_t>(value)]; },
-                         [&value, names](const std::string& text) {
-                           for (std::size_t i = 0; i < names.size(); ++i) {
-                             if (names[i] != text) continue;
-                             value = static_cast<Choice>(i);
-                             return true;
-                           }
-                           return false;
-                         }});
-  }
-
-  [[nodiscard]] Section section(const std::string& key) const { return {settings_, prefix_ + key + "."}; }
-
- private:
-  std::vector<Setting>& settings_;
-  std::string prefix_;
-};
 
 using Range = std::pair<double, double>;
 constexpr Range kMetres{0.0, 1000.0};

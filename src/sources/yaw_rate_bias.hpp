@@ -15,7 +15,7 @@ struct YawRateBiasConfig {
   double start_sigma_deg = 0.6;         ///< [deg/s] of a gyro's bias before anything is known
   double drift_deg = 0.01;              ///< [deg/s / sqrt(s)] random walk of the bias
   double wheel_mismatch_sigma = 0.003;  ///< relative difference of the rear wheels' radii
-  double wheel_noise_deg = 10;          ///< [deg/s] of the rear wheels' yaw rate in one message
+  double wheel_noise_deg = 3;           ///< [deg/s] of the rear wheels' yaw rate in one message
   double track_width = 1.57;            ///< [m] between the rear wheels
   double standstill_speed = 0.05;       ///< [m/s] below, the car stands and the gyro shows its bias alone
 };

@@ -41,7 +41,6 @@ TEST(ClothoidSampling, StandsOnTheClothoidFromEndToEnd) {
     EXPECT_DOUBLE_EQ(features[i].y, marking.clothoid.y(x));
     EXPECT_NEAR(std::tan(features[i].heading), marking.clothoid.slope(x), 1e-12);
     EXPECT_EQ(features[i].marking, marking.marking);
-    EXPECT_EQ(features[i].source, Source::serial_camera);
   }
 }
 

@@ -75,8 +75,12 @@ TEST(GradualLaneChange, SwitchesOffWhereItLetsGoOfAMarkingAndWhereItFindsTheNext
   int off = 0;
   for (const SwitchState& state : states) {
     // J = (step / 0.1 m)^2 is above the prior of 4 from 0.2 m on; between, headings and curves play in.
-    if (step_of(state) < 0.15) EXPECT_GT(state.value, 0.5);
-    if (step_of(state) > 0.3) EXPECT_LT(state.value, 0.5);
+    if (step_of(state) < 0.15) {
+      EXPECT_GT(state.value, 0.5);
+    }
+    if (step_of(state) > 0.3) {
+      EXPECT_LT(state.value, 0.5);
+    }
     if (state.value >= 0.5) continue;
     ++off;
     first = std::min(first, state.from.x());

@@ -103,7 +103,7 @@ TEST_F(Sorting, LetsTheDenserOfTwoNearPlacesWin) {
 }
 
 TEST_F(Sorting, FoundsNothingOnBarsThatAreSeenOnce) {
-  put(std::vector<double>(8, 3.5), 10, 0.29);
+  put(std::vector<double>(8, 3.5), 10, config_.birth_confidence - 0.01);
   EXPECT_THAT(founded(), IsEmpty());
   for (Feature& feature : features_) feature.track_id = 3;  // but a tracked vehicle was looked at before
   EXPECT_EQ(founded().size(), 1U);

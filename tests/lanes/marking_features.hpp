@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -52,6 +53,15 @@ inline std::vector<Feature> shaken(std::vector<Feature> features, double y_sigma
     feature.heading += heading_sigma * normal(random);
   }
   return features;
+}
+
+/// How far two courses part within `range`, at most.
+inline double parting(const Clothoid& a, const Clothoid& b, double range = 100) {
+  double worst = 0;
+  for (double x = 0; x <= range; x += 5) {
+    worst = std::max(worst, std::abs((a.y(x) - a.y(0)) - (b.y(x) - b.y(0))));
+  }
+  return worst;
 }
 
 }  // namespace lanefuse::testing

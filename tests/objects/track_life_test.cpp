@@ -87,7 +87,7 @@ TEST_F(TrackLife, TheRadarsSlotHoldsATrackThatJumps) {
   std::vector<TrackedObject> objects;
   for (int i = 0; i < 20; ++i) objects = scan({user_}, 5);
   const std::int64_t id = objects[0].id;
-  const RoadUser jumped{user_.start + Eigen::Vector2d(0, 2), user_.velocity};
+  const RoadUser jumped{user_.start + Eigen::Vector2d(0, 2.6), user_.velocity};
   for (int i = 0; i < 20; ++i) objects = scan({jumped}, 5);
   ASSERT_EQ(objects.size(), 1U);
   EXPECT_EQ(objects[0].id, id);

@@ -37,21 +37,21 @@ TEST(CycleClock, StandsStillBeforeTheFirstMeasurement) {
 TEST(CycleClock, TicksOnWholePeriodsAfterTheFirstMeasurement) {
   MultiLanePerception perception(at_10_hz(), {});
   perception.add(motion(130));
-  EXPECT_THAT(cycles_until(perception, 199), ::testing::IsEmpty());
-  EXPECT_THAT(cycles_until(perception, 200), ::testing::ElementsAre(200));
   EXPECT_THAT(cycles_until(perception, 200), ::testing::IsEmpty());
-  EXPECT_THAT(cycles_until(perception, 599), ::testing::ElementsAre(300, 400, 500));
+  EXPECT_THAT(cycles_until(perception, 201), ::testing::ElementsAre(200));
+  EXPECT_THAT(cycles_until(perception, 201), ::testing::IsEmpty());
+  EXPECT_THAT(cycles_until(perception, 600), ::testing::ElementsAre(300, 400, 500));
 }
 
 TEST(CycleClock, LooksOnlyAtWhatHadBeenReceivedInTime) {
   MultiLanePerception perception(at_10_hz(), {});
   perception.add(motion(100));
   perception.add(motion(150));
-  const LaneEstimate* lanes = perception.advance(at(200));
+  const LaneEstimate* lanes = perception.advance(at(201));
   ASSERT_NE(lanes, nullptr);
   EXPECT_EQ(lanes->inputs, (InputAccounting{2, 0, 0}));
   perception.add(motion(200));
-  lanes = perception.advance(at(300));
+  lanes = perception.advance(at(301));
   ASSERT_NE(lanes, nullptr);
   EXPECT_EQ(lanes->inputs, (InputAccounting{1, 0, 0}));
 }
@@ -62,14 +62,46 @@ TEST(CycleClock, GoesAtTheConfiguredPace) {
     config.cycle_hz = hz;
     MultiLanePerception perception(config, {});
     perception.add(motion(1));
-    EXPECT_EQ(cycles_until(perception, 8000).size(), static_cast<std::size_t>(8 * hz)) << hz;
+    EXPECT_EQ(cycles_until(perception, 8001).size(), static_cast<std::size_t>(8 * hz)) << hz;
   }
+}
+
+ObjectList vehicles(int measured, int received) {
+  return {{at(measured), at(received), 3}, {TrackedObject{1, 40, 0, 0, 30}}};
+}
+
+/// What became of a list that was measured at 0 and received now, and once more before if it comes twice.
+InputAccounting fate_of_late_list(double reorder_window_s, int received, bool twice) {
+  PerceptionConfig config = at_10_hz();
+  config.reorder_window_s = reorder_window_s;
+  MultiLanePerception perception(config, {});
+  InputAccounting inputs;
+  for (int ms = 0; ms <= received + 100; ms += 20) {
+    while (const LaneEstimate* lanes = perception.advance(at(ms))) inputs = lanes->inputs;
+    perception.add(motion(ms));
+    perception.add(vehicles(ms + 1, ms + 1));
+    if (ms == received || (twice && ms == 0)) perception.add(vehicles(0, ms));
+  }
+  const LaneEstimate* lanes = perception.advance(at(received + 200));
+  EXPECT_NE(lanes, nullptr);
+  return inputs;
+}
+
+TEST(ReorderWindow, DropsWhatComesLater) {
+  EXPECT_EQ(fate_of_late_list(0.2, 120, false), (InputAccounting{11, 0, 0}));
+  EXPECT_EQ(fate_of_late_list(0.2, 300, false), (InputAccounting{10, 0, 1}));
+  EXPECT_EQ(fate_of_late_list(0.5, 300, false), (InputAccounting{11, 0, 0}));
+}
+
+TEST(ReorderWindow, KnowsForAsLongWhatItHasSeen) {
+  EXPECT_EQ(fate_of_late_list(2, 1500, false), (InputAccounting{11, 0, 0}));
+  EXPECT_EQ(fate_of_late_list(2, 1500, true), (InputAccounting{10, 0, 1}));
 }
 
 TEST(CycleClock, SaysWhatTheCarDid) {
   MultiLanePerception perception(at_10_hz(), {});
   for (int ms = 0; ms <= 100; ms += 10) perception.add(VehicleMotion{{at(ms), at(ms), 0}, 25.0, 0.1});
-  const LaneEstimate* lanes = perception.advance(at(100));
+  const LaneEstimate* lanes = perception.advance(at(101));
   ASSERT_NE(lanes, nullptr);
   EXPECT_EQ(lanes->speed, 25);
   EXPECT_EQ(lanes->yaw_rate, 0.1);
@@ -82,9 +114,25 @@ TEST(CycleClock, CountsCallsOfItsStages) {
   std::vector<Stage> stages;
   perception.on_stage([&](Stage stage) { stages.push_back(stage); });
   perception.add(motion(0));
-  perception.advance(at(100));
+  perception.advance(at(101));
   EXPECT_THAT(stages,
               ::testing::ElementsAre(Stage::sources, Stage::association, Stage::solve, Stage::lane_model));
+}
+
+TEST(CycleClock, StepsOverAHoleInsteadOfFillingIt) {
+  MultiLanePerception perception(at_10_hz(), {});
+  perception.add(motion(0));
+  const int day = 24 * 3600 * 1000;
+  EXPECT_LT(cycles_until(perception, day).size(), 3U);
+}
+
+TEST(CycleClock, DropsWhatAClockThatJumpedBackStamps) {
+  MultiLanePerception perception(at_10_hz(), {});
+  perception.add(motion(60'000));
+  perception.add(motion(0));
+  const LaneEstimate* lanes = perception.advance(at(60'200));
+  ASSERT_NE(lanes, nullptr);
+  EXPECT_EQ(lanes->inputs, (InputAccounting{1, 0, 1}));
 }
 
 }  // namespace

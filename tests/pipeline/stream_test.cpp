@@ -37,13 +37,25 @@ InputAccounting sum_of(const std::vector<LaneEstimate>& estimates) {
   return sum;
 }
 
+/// The share of good cycles after the first second, and before the odometry ends.
+double share_ok(const std::vector<LaneEstimate>& estimates) {
+  int all = 0;
+  int good = 0;
+  for (const LaneEstimate& estimate : estimates) {
+    const double seconds = to_seconds(estimate.time - kSimulationStart);
+    if (seconds < 1 || seconds > 10) continue;
+    ++all;
+    if (estimate.status == EstimateStatus::ok) ++good;
+  }
+  return static_cast<double>(good) / all;
+}
+
 TEST_F(Stream, IsUsedWholeWhereItIsSound) {
   const InputAccounting inputs = sum_of(sound_);
   EXPECT_EQ(inputs.used + inputs.dropped, testing::items_in(drive_.measurements));
   EXPECT_EQ(inputs.rejected, 0U);
   EXPECT_LT(inputs.dropped, inputs.used / 20) << "features beyond the camera's range";
-  EXPECT_EQ(sound_.back().status, EstimateStatus::ok);
-  EXPECT_GE(sound_.back().lanes.size(), 2U);
+  EXPECT_GT(share_ok(sound_), 0.95);
 }
 
 TEST_F(Stream, GivesTheSameBitsAgain) { expect_same_lanes(drive_.measurements); }
@@ -62,15 +74,15 @@ TEST_F(Stream, MayBeRepeatedLater) {
   }
   std::ranges::stable_sort(repeated, {}, [](const Measurement& m) { return stamp_of(m).received_at; });
   const auto estimates = lanes_of(repeated);
-  EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size() - 1)
-      << "the last cycle has heard more";
+  EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size());
 }
 
 TEST_F(Stream, MayBeShuffledWithinACycle) {
   std::map<std::int64_t, std::vector<Measurement>> cycles;
   for (const Measurement& measurement : drive_.measurements) {
-    cycles[stamp_of(measurement).received_at.time_since_epoch() / std::chrono::milliseconds(80)].push_back(
-        measurement);
+    // What arrives at the very moment of a cycle belongs to it.
+    const Duration received = stamp_of(measurement).received_at.time_since_epoch() - Duration(1);
+    cycles[received / std::chrono::milliseconds(80)].push_back(measurement);
   }
   std::mt19937 random(3);
   std::vector<Measurement> shuffled;
@@ -104,7 +116,7 @@ TEST_P(DamagedStream, IsAccountedForToTheLastItem) {
       EXPECT_TRUE(boundary.covariance.allFinite());
     }
   }
-  EXPECT_EQ(estimates.back().status, EstimateStatus::ok);
+  EXPECT_GT(share_ok(estimates), 0.8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DamagedStream, ::testing::Range(1U, 7U));

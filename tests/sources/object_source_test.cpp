@@ -85,8 +85,8 @@ Feature left_feature_seen_from(const Mounting& mounting) {
   ObjectSourceConfig config;
   config.witness.rule = WitnessRule::radar_only;
   ObjectSource source(config);
-  const testing::RadarCar car{30, 0.05, {mounting.x, mounting.y, mounting.yaw}};
-  const testing::RoadUser user{{50, 6}, {29, 4}};
+  const testing::RadarCar car{15, 0.2, {mounting.x, mounting.y, mounting.yaw}};
+  const testing::RoadUser user{{40, 10}, {20, 8}};
   const Rig rig{{{1, SensorKind::long_range_radar, "", mounting}}};
   std::vector<FeatureSet> sets;
   for (int i = 0; i <= 40; ++i) {
@@ -104,10 +104,10 @@ Feature left_feature_seen_from(const Mounting& mounting) {
 TEST(ObjectSource, KnowsWhereTheRadarSits) {
   const Feature seen = left_feature_seen_from({});
   ASSERT_GT(seen.x, 40);
-  for (const Mounting& mounting : {Mounting{3.6, 0, 0.5}, Mounting{3.2, 0.8, 0.5, 0, 0, 0.6}}) {
+  for (const Mounting& mounting : {Mounting{4, 0, 0.5}, Mounting{4, -1, 0.5, 0, 0, 0.6}}) {
     const Feature feature = left_feature_seen_from(mounting);
-    EXPECT_NEAR(feature.x, seen.x, 0.05);
-    EXPECT_NEAR(feature.y, seen.y, 0.05);
+    EXPECT_NEAR(feature.x, seen.x, 0.02);
+    EXPECT_NEAR(feature.y, seen.y, 0.06);
     EXPECT_NEAR(feature.heading, seen.heading, 0.005);
   }
 }
