@@ -181,7 +181,7 @@ void Reader::check_mentions() const {
     const Mention& mention = switches_.at(id);
     if (!mention.given) refuse(mention, "there is no VERTEX_SWITCH " + std::to_string(id));
     if (!has_prior_[k]) refuse(mention, "switch " + std::to_string(id) + " has no EDGE_SWITCH_PRIOR");
-    if (vertices_.count(id) > 0) refuse(mention, "id " + std::to_string(id) + " names a vertex and a switch");
+    if (vertices_.contains(id)) refuse(mention, "id " + std::to_string(id) + " names a vertex and a switch");
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/drive_writer.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -16,8 +18,8 @@ namespace lanefuse {
 
 class DriveWriter::Session {
  public:
-  Session(const std::filesystem::path& path, const DriveInfo& info, const Rig& rig)
-      : file_(path.string()), topics_(path, {RecordingHead::Kind::drive, info, {}}), rig_(rig) {}
+  Session(const std::filesystem::path& path, const DriveInfo& info, Rig rig)
+      : file_(path.string()), topics_(path, {RecordingHead::Kind::drive, info, {}}), rig_(std::move(rig)) {}
 
   void write(const Measurement& measurement) {
     const Stamp& stamp = stamp_of(measurement);

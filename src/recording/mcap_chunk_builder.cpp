@@ -48,7 +48,8 @@ ChunkIndex ChunkBuilder::finish(Compression compression, std::uint64_t offset, B
   entry.compression = to_string(compression);
   entry.compressed_size = packed.size();
   entry.uncompressed_size = records_.size();
-  entry = append_message_indexes(std::move(entry), offset + entry.chunk_length, out);
+  const std::uint64_t indexes_at = offset + entry.chunk_length;
+  entry = append_message_indexes(std::move(entry), indexes_at, out);
   *this = {};
   return entry;
 }

@@ -50,7 +50,7 @@ class InputFile {
   void check_magic() const;
 
  private:
-  std::size_t read_into(std::uint64_t offset, std::span<std::byte> bytes) const;
+  [[nodiscard]] std::size_t read_into(std::uint64_t offset, std::span<std::byte> bytes) const;
 
   std::filesystem::path path_;
   int descriptor_ = -1;

@@ -73,7 +73,7 @@ class Surveyor {
     return head->end();
   }
 
-  const Block* described(std::uint64_t offset) const {
+  [[nodiscard]] const Block* described(std::uint64_t offset) const {
     if (!summary_) {
       return nullptr;
     }
@@ -212,7 +212,7 @@ class Surveyor {
     survey_.damage.records_lost += std::erase_if(survey_.blocks, is_run);
   }
 
-  bool is_data_section_sound() const {
+  [[nodiscard]] bool is_data_section_sound() const {
     const auto& end = survey_.data_end;
     return end && (end->crc == 0 || file_.crc(0, end->offset) == end->crc);
   }

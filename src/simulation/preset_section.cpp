@@ -20,8 +20,8 @@ std::optional<double> as_number(const YAML::Node& node) {
 
 }  // namespace
 
-PresetSection::PresetSection(YAML::Node node, std::string place, std::string path)
-    : node_(std::move(node)), place_(std::move(place)), path_(std::move(path)) {
+PresetSection::PresetSection(const YAML::Node& node, std::string place, std::string path)
+    : node_(node), place_(std::move(place)), path_(std::move(path)) {
   if (!node_.IsMap())
     throw configuration_error(place_ + (path_.empty() ? "" : ", " + path_), "is not a map of keys");
 }

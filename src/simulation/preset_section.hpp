@@ -15,7 +15,7 @@ namespace lanefuse {
 /// configuration error naming it by its full path ("nominal-preset.yaml, camera_pose.height_m").
 class PresetSection {
  public:
-  PresetSection(YAML::Node node, std::string place, std::string path = {});
+  PresetSection(const YAML::Node& node, std::string place, std::string path = {});
 
   PresetSection section(const std::string& key);
   double number(const std::string& key);    ///< finite and not negative

@@ -85,7 +85,7 @@ void Traffic::fill() {
     for (; station < middle + kTrafficReach; station += draw_headway()) {
       Vehicle vehicle = make_vehicle(lane, station);
       const bool beside_ego = ego().occupies(lane) && std::abs(station - middle) < kLeastHeadway;
-      if (!beside_ego) vehicles_.push_back(std::move(vehicle));
+      if (!beside_ego) vehicles_.push_back(vehicle);
     }
   }
 }
@@ -183,7 +183,7 @@ void Traffic::enter_at(int lane, double station, bool ahead) {
   }
   Headways& headways = headways_[lane];
   (ahead ? headways.front : headways.rear) = draw_headway();
-  vehicles_.push_back(std::move(vehicle));
+  vehicles_.push_back(vehicle);
 }
 
 Scene scene_at(Time time, const Road& road, const Traffic& traffic) {

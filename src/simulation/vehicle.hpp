@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <utility>
-
 #include "simulation/car_following.hpp"
 #include "simulation/lateral_motion.hpp"
 #include "simulation/scene.hpp"
@@ -12,7 +10,7 @@ namespace lanefuse {
 
 /// One moving vehicle of the traffic: what its driver wants, and where that has led to.
 struct Vehicle {
-  explicit Vehicle(LateralMotion motion) : lateral(std::move(motion)) {}
+  explicit Vehicle(const LateralMotion& motion) : lateral(motion) {}
 
   std::int64_t id = 0;
   bool truck = false;
