@@ -4,8 +4,7 @@
 
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "cli/evaluate_command.hpp"
 #include "cli/graph_command.hpp"
 #include "cli/import_command.hpp"
@@ -17,56 +16,16 @@
 namespace lanefuse {
 namespace {
 
-/// The command line with room for what it is parsed into.
-struct CommandLine {
-  CLI::App app{
-      "Lanefuse sees the lanes of a highway, the car's own and its neighbours', out to 120 m: from cameras,\n"
-      "radars, the traffic around it, and its own motion.\n\n"
-      "A first drive:\n"
-      "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
-      "  lanefuse run drive.mcap -o lanes.mcap\n"
-      "  lanefuse evaluate lanes.mcap --truth exact",
-      "lanefuse"};
-  SimulateOptions simulate;
-  ImportOptions import;
-  RunOptions run;
-  EvaluateOptions evaluate;
-  PlotOptions plot;
-  StripOptions strip;
-  GraphSolveOptions graph_solve;
-  std::function<int()> action;
-};
-
-/// CLI11 reads "-1" into an unsigned number as 2^64 - 1, and names the largest double as its own check's
-/// other end.
-std::string not_negative(const std::string& text) {
-  return text.rfind('-', 0) == 0 ? text + " is below 0" : "";
-}
-
-/// One of the subcommands must be named. CLI11's own check would call an unknown name a missing one.
-void demand_subcommand(CLI::App& app) {
-  app.require_subcommand(0, 1);
-  app.parse_complete_callback([&app] {
-    if (app.get_subcommands().empty() && app.remaining().empty()) throw CLI::RequiredError::Subcommand(1);
-  });
-}
-
-template <typename Options>
-void add_common(CLI::App& command, Options& options) {
-  command.add_flag("--json", options.json, "print the result as JSON on standard output");
-  command.add_flag("--force", options.force, "overwrite outputs that are there already");
-}
-
-template <typename Options, typename Command>
-void finish(CLI::App& command, CommandLine& line, Options& options, Command run_command) {
-  add_common(command, options);
-  command.callback([&line, &options, run_command] {
-    line.action = [&options, run_command] { return run_command(options); };
-  });
-}
+constexpr const char* kDescription =
+    "Lanefuse sees the lanes of a highway, the car's own and its neighbours', out to 120 m: from cameras,\n"
+    "radars, the traffic around it, and its own motion.\n\n"
+    "A first drive:\n"
+    "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
+    "  lanefuse run drive.mcap -o lanes.mcap\n"
+    "  lanefuse evaluate lanes.mcap --truth exact";
 
 void add_simulate(CommandLine& line) {
-  SimulateOptions& options = line.simulate;
+  auto& options = line.make<SimulateOptions>();
   SimulationConfig& config = options.simulation;
   CLI::App& command =
       *line.app.add_subcommand("simulate", "simulate a drive on a motorway, with exact truth");
@@ -96,7 +55,7 @@ void add_simulate(CommandLine& line) {
 }
 
 void add_import(CommandLine& line) {
-  ImportOptions& options = line.import;
+  auto& options = line.make<ImportOptions>();
   CLI::App& import = *line.app.add_subcommand("import", "turn a public data set's drive into a recording");
   demand_subcommand(import);
   CLI::App& command =
@@ -108,7 +67,7 @@ void add_import(CommandLine& line) {
 }
 
 void add_run(CommandLine& line) {
-  RunOptions& options = line.run;
+  auto& options = line.make<RunOptions>();
   CLI::App& command = *line.app.add_subcommand("run", "fuse a recorded drive to lanes");
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
@@ -131,7 +90,7 @@ void add_run(CommandLine& line) {
 }
 
 void add_evaluate(CommandLine& line) {
-  EvaluateOptions& options = line.evaluate;
+  auto& options = line.make<EvaluateOptions>();
   CLI::App& command =
       *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
@@ -145,7 +104,7 @@ void add_evaluate(CommandLine& line) {
 }
 
 void add_plot(CommandLine& line) {
-  PlotOptions& options = line.plot;
+  auto& options = line.make<PlotOptions>();
   CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
   command.add_option("--at", options.at, "seconds since the first cycle")
@@ -157,7 +116,7 @@ void add_plot(CommandLine& line) {
 }
 
 void add_strip(CommandLine& line) {
-  StripOptions& options = line.strip;
+  auto& options = line.make<StripOptions>();
   CLI::App& command = *line.app.add_subcommand("strip", "copy a recorded drive without its truth");
   command.add_option("drive", options.drive, "the recorded drive (.mcap)")->required();
   command.add_option("-o,--output", options.output, "the copy to write (.mcap)")->required();
@@ -165,7 +124,7 @@ void add_strip(CommandLine& line) {
 }
 
 void add_graph(CommandLine& line) {
-  GraphSolveOptions& options = line.graph_solve;
+  auto& options = line.make<GraphSolveOptions>();
   CLI::App& graph = *line.app.add_subcommand("graph", "planar pose graphs, of lanes or of anything");
   demand_subcommand(graph);
   CLI::App& command = *graph.add_subcommand("solve", "find the optimum of a .g2o file");
@@ -182,8 +141,19 @@ void add_graph(CommandLine& line) {
 
 }  // namespace
 
+std::string not_negative(const std::string& text) {
+  return text.rfind('-', 0) == 0 ? text + " is below 0" : "";
+}
+
+void demand_subcommand(CLI::App& app) {
+  app.require_subcommand(0, 1);
+  app.parse_complete_callback([&app] {
+    if (app.get_subcommands().empty() && app.remaining().empty()) throw CLI::RequiredError::Subcommand(1);
+  });
+}
+
 std::function<int()> parse_arguments(int argc, char** argv) {
-  const auto line = std::make_shared<CommandLine>();
+  const auto line = std::shared_ptr<CommandLine>(new CommandLine{CLI::App(kDescription, "lanefuse"), {}, {}});
   demand_subcommand(line->app);
   line->app.set_version_flag("--version", "lanefuse " LANEFUSE_VERSION);
   add_simulate(*line);
