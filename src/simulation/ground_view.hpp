@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "core/random.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 
 namespace lanefuse {
 

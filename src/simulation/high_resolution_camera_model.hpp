@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/random.hpp"
 #include "simulation/ground_view.hpp"
 #include "simulation/line_of_sight.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 #include "simulation/sensor_model.hpp"
 
 namespace lanefuse {

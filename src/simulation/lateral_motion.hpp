@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/random.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 
 namespace lanefuse {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "core/random.hpp"
 #include "simulation/line_of_sight.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 #include "simulation/sensor_model.hpp"
 
 namespace lanefuse {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "core/random.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 #include "simulation/reference_line.hpp"
 
 namespace lanefuse {

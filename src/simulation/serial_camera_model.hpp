@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/random.hpp"
 #include "simulation/ground_view.hpp"
 #include "simulation/line_of_sight.hpp"
 #include "simulation/odometry_model.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 #include "simulation/sensor_model.hpp"
 #include "simulation/serial_lane_tracker.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/random.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/random.hpp"
 #include "simulation/road.hpp"
 #include "simulation/vehicle.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/random.hpp"
+#include "core/random.hpp"
 
 #include <cmath>
 
