@@ -56,7 +56,7 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
       preset_(preset),
       road_(std::make_unique<Road>(config.road, kLeadIn + checked_length(config.km) + kLeadOut, preset.road,
                                    config.seed)),
-      traffic_(*road_, preset, kLeadIn, config.seed) {
+      traffic_(*road_, nominal_traffic(preset), kLeadIn, config.seed) {
   add_sensors();
   ticks_a_period(preset.fusion_hz, "fusion");
   for (const auto& sensor : sensors_) ticks_a_period(sensor->hz(), sensor->description().name.c_str());
@@ -111,7 +111,7 @@ bool DriveSimulation::step(std::vector<Measurement>& measurements, std::vector<T
   measurements.clear();
   truth.clear();
   if (over_) return false;
-  const Scene now = scene_at(kSimulationStart + ticks_ * kTick, *road_, traffic_);
+  const Scene now = traffic_.scene(kSimulationStart + ticks_ * kTick);
   measure(now);
   if (is_due(preset_.fusion_hz)) truth.push_back(true_frame(now));
   over_ = progress() >= 1;
