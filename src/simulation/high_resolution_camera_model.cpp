@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNearest = 5;    ///< [m] ahead of the origin; the bonnet hides what is nearer
 constexpr double kSpacing = 2.5;  ///< [m] between the bars that the detector looks for along a line
+constexpr double kBarLength = 1;  ///< [m] of paint that shows its direction
 constexpr double kField = 0.63;   ///< [rad] to either side: 3840 columns of .327 mrad
 
 }  // namespace
@@ -34,7 +35,8 @@ double HighResolutionCameraModel::detection(double x) const {
 }
 
 /// All that may be wrong with one feature by itself, as its maker would state it: along the ray the row and
-/// the pitch, across it the column, the paint, the yaw and the error shared by the frame.
+/// the pitch, across it the column, the paint, the yaw and the error shared by the frame. Yaw, pitch (a line
+/// beside the car fans out or in) and the shared error turn it, too.
 Eigen::Matrix3d HighResolutionCameraModel::covariance(const Feature& feature) const {
   const double range = std::hypot(feature.x, feature.y);
   const double noise = preset_.noise_px * preset_.pixel;
@@ -42,8 +44,9 @@ Eigen::Matrix3d HighResolutionCameraModel::covariance(const Feature& feature) co
   const double shared = preset_.shared_sigma_at_100_m * feature.x / 100;
   const double across =
       std::hypot(range * std::hypot(noise, pose_.yaw_bias), std::hypot(preset_.noise, shared));
-  const double heading = preset_.heading.at(range);
-  const Eigen::Vector3d sigma(along, across, heading);
+  const double fanned = feature.y / pose_.height * pose_.residual_pitch;
+  const double turned = std::hypot(pose_.yaw_bias, preset_.shared_sigma_at_100_m / 100, fanned);
+  const Eigen::Vector3d sigma(along, across, std::hypot(preset_.heading.at(range), turned));
   return rotate_covariance(sigma.array().square().matrix().asDiagonal(), std::atan2(feature.y, feature.x));
 }
 
@@ -56,19 +59,33 @@ HighResolutionCameraModel::Bar HighResolutionCameraModel::replace_by_outlier(con
   return {station, random_.uniform(right, left)};
 }
 
+/// Where the camera believes a place on the road to be, with all that is wrong in this frame.
+std::optional<Eigen::Vector2d> HighResolutionCameraModel::see(const Scene& scene, const Bar& bar,
+                                                              const GroundView::PixelError& error) const {
+  const Eigen::Vector2d point =
+      scene.ego.world_from_vehicle.inverse() * scene.road->pose(bar.station, bar.lateral).position();
+  const double height = scene.road->height().above_tangent(scene.ego.station, bar.station);
+  auto seen = view_.see(point, height, error);
+  if (seen) seen->y() += shared_.value() * point.x() / 100;
+  return seen;
+}
+
 void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSight& sight, const Bar& place,
                                             std::vector<Feature>& features) {
-  Pose2 bar = scene.ego.world_from_vehicle.inverse() * scene.road->pose(place.station, place.lateral);
+  const Pose2 bar = scene.ego.world_from_vehicle.inverse() * scene.road->pose(place.station, place.lateral);
   if (bar.x < kNearest || bar.x > reach(scene) || std::abs(std::atan2(bar.y, bar.x)) > kField) return;
   if (!random_.chance(detection(bar.x)) || sight.blocked(bar.position())) return;
   const double noise = preset_.noise_px * preset_.pixel;
-  const double height = scene.road->height().above_tangent(scene.ego.station, place.station);
-  const auto seen = view_.see(bar.position(), height, {random_.normal(noise), random_.normal(noise)});
-  if (!seen) return;
+  const GroundView::PixelError error{random_.normal(noise), random_.normal(noise)};
+  const auto seen = see(scene, place, error);
+  const auto ahead =
+      see(scene, {place.station + kBarLength, place.lateral + place.slope * kBarLength}, error);
+  if (!seen || !ahead) return;
+  const Eigen::Vector2d along = *ahead - *seen;
   Feature feature;
   feature.x = seen->x();
-  feature.y = seen->y() + shared_.value() * bar.x / 100 + random_.normal(preset_.noise);
-  feature.heading = bar.heading + place.turn + random_.normal(preset_.heading.at(bar.x));
+  feature.y = seen->y() + random_.normal(preset_.noise);
+  feature.heading = std::atan2(along.y(), along.x()) + random_.normal(preset_.heading.at(bar.x));
   feature.confidence = detection(std::min(feature.x, preset_.range_max)) * (1 - preset_.outliers);
   feature.covariance = covariance(feature);
   feature.source = Source::high_resolution_camera;
@@ -77,10 +94,8 @@ void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSigh
 }
 
 HighResolutionCameraModel::Bar HighResolutionCameraModel::bar_of(const Road& road, int line, double station) {
-  const double lateral = road.line_lateral(line, station);
-  const double along = 1 - road.reference().curvature(station) * lateral;
-  const double turn = std::atan2(road.line_slope(line, station), along);
-  return {station, lateral, turn, road.marking(line, station).colour};
+  return {station, road.line_lateral(line, station), road.line_slope(line, station),
+          road.marking(line, station).colour};
 }
 
 void HighResolutionCameraModel::observe_line(const Scene& scene, const LineOfSight& sight, int line,

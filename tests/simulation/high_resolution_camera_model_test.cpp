@@ -189,5 +189,28 @@ TEST(HighResolutionCameraModel, PitchSpreadsTheLaneAsAFrame) {
   EXPECT_LT(correlation_within_frames(only_pitch), -0.4);
 }
 
+TEST(HighResolutionCameraModel, DirectionsLeanWithThePlaces) {
+  // Averaged over a frame only what the frame shares is left: the headings' error is the slope of the
+  // places'.
+  SensorPreset preset = without_pitch(without_outliers());
+  double product = 0, places = 0, headings = 0;
+  watch_frames(preset, [&](const Scene& scene, const std::vector<Feature>& features) {
+    Moments slope, heading;
+    for (const Feature& feature : features) {
+      if (feature.x < 50 || feature.x > 90) continue;
+      const Eigen::Vector2d place = testing::place_of(scene, {feature.x, feature.y});
+      const double truth = scene.road->pose(place.x(), 0).heading - scene.ego.world_from_vehicle.heading;
+      slope.add(across(scene, feature).error / feature.x);
+      heading.add(feature.heading - truth);
+    }
+    if (slope.count() < 20) return;
+    product += slope.mean() * heading.mean();
+    places += slope.mean() * slope.mean();
+    headings += heading.mean() * heading.mean();
+  });
+  EXPECT_GT(product / places, 0.6);
+  EXPECT_GT(product / std::sqrt(places * headings), 0.4);
+}
+
 }  // namespace
 }  // namespace lanefuse
