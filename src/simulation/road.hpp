@@ -13,7 +13,7 @@
 
 namespace lanefuse {
 
-enum class RoadKind : std::uint8_t { gentle = 0, curved = 1 };
+enum class RoadKind : std::uint8_t { gentle = 0, curved = 1, sharp = 2 };
 const char* to_string(RoadKind kind);
 
 /// A motorway: lines, lanes, shoulders and guard rails along a reference line.
