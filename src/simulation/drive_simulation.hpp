@@ -13,6 +13,7 @@
 #include "sensors/rig.hpp"
 #include "sensors/truth.hpp"
 #include "simulation/preset.hpp"
+#include "simulation/road_as_map.hpp"
 #include "simulation/sensor_model.hpp"
 #include "simulation/traffic.hpp"
 

@@ -33,13 +33,22 @@ class HighResolutionCameraModel final : public SensorModel {
   GroundView view_;
   Wander shared_;  ///< [m] lateral at 100 m
 
-  void observe_line(const Scene& scene, const LineOfSight& sight, int boundary,
-                    std::vector<Feature>& features);
-  void observe_bar(const Scene& scene, const LineOfSight& sight, const Eigen::Vector2d& place,
+  /// A short piece of paint, or what is taken for it.
+  struct Bar {
+    double station = 0;  ///< [m]
+    double lateral = 0;  ///< [m]
+    double turn = 0;     ///< [rad] against the road
+    MarkingColour colour = MarkingColour::white;
+  };
+
+  void observe_line(const Scene& scene, const LineOfSight& sight, int line, std::vector<Feature>& features);
+  void observe_bar(const Scene& scene, const LineOfSight& sight, const Bar& place,
                    std::vector<Feature>& features);
-  [[nodiscard]] std::optional<Eigen::Vector2d> see(const Scene& scene, const Eigen::Vector2d& place,
+  [[nodiscard]] std::optional<Eigen::Vector2d> see(const Eigen::Vector2d& point, double height,
                                                    const GroundView::PixelError& error) const;
-  Eigen::Vector2d replace_by_outlier(const Scene& scene, const Eigen::Vector2d& place);
+  static Bar bar_of(const Road& road, int line, double station);
+  Bar replace_by_outlier(const Scene& scene, double station);
+  [[nodiscard]] double reach(const Scene& scene) const;
   [[nodiscard]] double detection(double x) const;
   [[nodiscard]] Eigen::Matrix3d covariance(const Feature& feature) const;
 };

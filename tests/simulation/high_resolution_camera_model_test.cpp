@@ -27,11 +27,11 @@ struct Across {
 
 Across across(const Scene& scene, const Feature& feature) {
   const Eigen::Vector2d place = testing::place_of(scene, {feature.x, feature.y});
-  const int boundary = testing::nearest_boundary(*scene.road, place.y());
+  const int boundary = testing::nearest_line(*scene.road, place);
   const double along = scene.road->pose(place.x(), place.y()).heading - scene.ego.world_from_vehicle.heading;
   const Eigen::Vector2d normal(-std::sin(along), std::cos(along));
   const double variance = normal.dot(feature.covariance.topLeftCorner<2, 2>() * normal);
-  return {boundary, place.y() - scene.road->boundary_lateral(boundary), std::sqrt(variance)};
+  return {boundary, place.y() - scene.road->line_lateral(boundary, place.x()), std::sqrt(variance)};
 }
 
 /// The nominal camera without outliers.
@@ -74,7 +74,7 @@ TEST(HighResolutionCameraModel, ErrsAcrossTheLineAsThePresetSays) {
   watch_features(without_pitch(without_outliers()), [&](const Scene& scene, const Feature& feature) {
     if (feature.x > 120) return;
     const Across found = across(scene, feature);
-    const int lane = scene.road->lane_at(scene.ego.lateral);
+    const int lane = *scene.road->lane_at(scene.ego.station, scene.ego.lateral);
     if (found.boundary != lane && found.boundary != lane + 1) return;
     const int bin = static_cast<int>(feature.x / 20);
     const double turned = std::hypot(0.12 * kDegree, 1.4 * 0.327e-3) * feature.x;
@@ -121,7 +121,8 @@ TEST(HighResolutionCameraModel, DetectsLessFarAway) {
       std::vector<Measurement> measurements;
       model.observe(scene, measurements);
       for (const Feature& feature : std::get<MarkingFeatures>(measurements.front()).features) {
-        if (run.road().is_edge(across(scene, feature).boundary)) seen[static_cast<int>(feature.x / 30)] += 1;
+        const int line = across(scene, feature).boundary;
+        if (line == 0 || line == 3) seen[static_cast<int>(feature.x / 30)] += 1;
       }
       for (int bin = 0; bin < 4; ++bin) painted[bin] += 2 * 30 / 2.5;  // two edge lines, a bar every 2.5 m
     }
@@ -137,7 +138,7 @@ TEST(HighResolutionCameraModel, TakesOtherThingsForPaintAsOftenAsThePresetSays) 
   watch_features(without_pitch(nominal_preset()), [&](const Scene& scene, const Feature& feature) {
     if (feature.x < 15 || feature.x > 45) return;  // nearer, the camera's field leaves out the rails
     const double lateral = testing::place_of(scene, {feature.x, feature.y}).y();
-    const bool rail = std::abs(std::abs(lateral) - scene.road->guard_rail(+1)) < 0.5;
+    const bool rail = std::abs(std::abs(lateral) - scene.road->guard_rail(+1, scene.ego.station)) < 0.5;
     all += 1;
     on_rail += rail;
     elsewhere += !rail && std::abs(across(scene, feature).error) > 0.5;
@@ -163,7 +164,7 @@ double correlation_within_frames(const SensorPreset& preset) {
   double product = 0, squares = 0;
   watch_frames(preset, [&](const Scene& scene, const std::vector<Feature>& features) {
     Moments left, right;
-    const int lane = scene.road->lane_at(scene.ego.lateral);
+    const int lane = *scene.road->lane_at(scene.ego.station, scene.ego.lateral);
     for (const Feature& feature : features) {
       if (feature.x < 40 || feature.x > 80) continue;
       const Across found = across(scene, feature);

@@ -66,10 +66,14 @@ inline Eigen::Vector2d place_of(const Scene& scene, const Eigen::Vector2d& in_ve
   return {station, lateral};
 }
 
-/// The boundary next to `lateral`.
-inline int nearest_boundary(const Road& road, double lateral) {
-  const double count = road.lane_count() / 2.0 - lateral / road.lane_width();
-  return std::clamp(static_cast<int>(std::lround(count)), 0, road.lane_count());
+/// The line next to the place.
+inline int nearest_line(const Road& road, const Eigen::Vector2d& place) {
+  int nearest = 0;
+  for (int line = 1; line < road.line_count(); ++line) {
+    const auto distance = [&](int some) { return std::abs(place.y() - road.line_lateral(some, place.x())); };
+    if (road.line_exists(line, place.x()) && distance(line) < distance(nearest)) nearest = line;
+  }
+  return nearest;
 }
 
 /// Sums up a sample's moments.
