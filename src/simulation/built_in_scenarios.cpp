@@ -33,4 +33,10 @@ Scenario built_in_scenario(std::string_view name) {
   return parse_scenario(built_in_scenario_text(name), fmt::format("{}.yaml", name));
 }
 
+Scenario find_scenario(const std::string& name_or_file) {
+  const std::filesystem::path path(name_or_file);
+  const bool is_file = path.has_extension() || path.has_parent_path();
+  return is_file ? load_scenario(path) : built_in_scenario(name_or_file);
+}
+
 }  // namespace lanefuse

@@ -17,14 +17,6 @@
 namespace lanefuse {
 namespace {
 
-/// The traffic reads the preset: the scenario's numbers take their place there.
-SensorPreset with_scenario(SensorPreset preset, const Scenario& scenario) {
-  const TrafficConfig traffic = traffic_config(scenario, preset);
-  preset.traffic = traffic.preset;
-  preset.ego = traffic.ego;
-  return preset;
-}
-
 std::int64_t ticks_a_period(double hz, const char* what) {
   const double ticks = 1 / (hz * to_seconds(kTick));
   const double whole = std::round(ticks);
@@ -53,7 +45,7 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
       preset_(preset),
       drive_road_(std::make_unique<DriveRoad>(
           drive_road(config.scenario, config.road, config.km, preset.road, config.seed))),
-      traffic_(drive_road_->road, with_scenario(preset, config.scenario), drive_road_->start, config.seed) {
+      traffic_(drive_road_->road, traffic_config(config.scenario, preset), drive_road_->start, config.seed) {
   add_sensors();
   ticks_a_period(preset.fusion_hz, "fusion");
   for (const auto& sensor : sensors_) ticks_a_period(sensor->hz(), sensor->description().name.c_str());
@@ -128,7 +120,7 @@ bool DriveSimulation::step(std::vector<Measurement>& measurements, std::vector<T
   measurements.clear();
   truth.clear();
   if (over_) return false;
-  const Scene now = scene_at(kSimulationStart + ticks_ * kTick, drive_road_->road, traffic_);
+  const Scene now = traffic_.scene(kSimulationStart + ticks_ * kTick);
   measure(now);
   if (is_due(preset_.fusion_hz)) truth.push_back(true_frame(now));
   over_ = progress() >= 1;

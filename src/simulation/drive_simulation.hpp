@@ -39,6 +39,7 @@ class DriveSimulation {
   /// Throws a configuration error where the configuration or the preset's rates are impossible.
   DriveSimulation(const SimulationConfig& config, const SensorPreset& preset);
 
+  [[nodiscard]] const Scenario& scenario() const { return config_.scenario; }
   [[nodiscard]] Rig rig() const;
   [[nodiscard]] DriveInfo info() const;
   [[nodiscard]] TrueRoad road() const { return true_road(drive_road_->road); }

@@ -67,6 +67,9 @@ std::string_view built_in_scenario_text(std::string_view name);
 /// of the wrong kind or out of range.
 Scenario load_scenario(const std::filesystem::path& path);
 
+/// A built-in scenario by its name, or one from a file: a path with a slash or an ending.
+Scenario find_scenario(const std::string& name_or_file);
+
 /// As load_scenario; `place` names the text in errors.
 Scenario parse_scenario(std::string_view text, const std::string& place);
 

@@ -26,12 +26,12 @@ struct TrafficConfig {
   /// [m/s] Mean speed of a jam. Without it, drivers are as fast as the density lets them. A flow below
   /// 15 m/s goes in waves.
   std::optional<double> jam_speed;
-  /// [m] from the ego car's bumper to a truck ahead of it, in its lane and at its speed.
+  /// [m] at first from the ego car's bumper to a truck ahead in its lane. The truck is slower than the ego
+  /// car wishes to be and keeps its lane; no one else gets in between.
   std::optional<double> lead_truck_gap;
   std::optional<StopAndGo> ego_stop_and_go;
   double entering_every = 8;  ///< [s] mean between vehicles on an entry lane; kNever for none
   double leaving = 0.15;      ///< share of the right lane's vehicles that take an exit
-  bool ego_leaves = false;    ///< the ego car takes the first exit
 };
 
 /// As the preset says, and nothing else.

@@ -113,11 +113,11 @@ TEST(HighResolutionCameraModel, DetectsLessFarAway) {
     SensorPreset preset = run.preset();
     preset.high_resolution_camera.outliers = 0;
     preset.traffic.vehicles_per_metre_lane = 0;
-    Traffic empty(run.road(), preset, 400, seed);
+    Traffic empty(run.road(), nominal_traffic(preset), 400, seed);
     HighResolutionCameraModel model(preset, seed);
     for (int frame = 0; frame < 200; ++frame) {
       for (int tick = 0; tick < 4; ++tick) empty.advance(0.02);
-      const Scene scene = scene_at(Time{}, run.road(), empty);
+      const Scene scene = empty.scene(Time{});
       std::vector<Measurement> measurements;
       model.observe(scene, measurements);
       for (const Feature& feature : std::get<MarkingFeatures>(measurements.front()).features) {

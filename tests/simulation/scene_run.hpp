@@ -19,14 +19,12 @@ class SceneRun {
   explicit SceneRun(std::uint64_t seed, RoadKind kind = RoadKind::gentle)
       : preset_(nominal_preset()),
         road_(kind, 12'000, preset_.road, seed),
-        traffic_(road_, preset_, 400, seed) {}
+        traffic_(road_, nominal_traffic(preset_), 400, seed) {}
 
   [[nodiscard]] const SensorPreset& preset() const { return preset_; }
   [[nodiscard]] const Road& road() const { return road_; }
   [[nodiscard]] const Traffic& traffic() const { return traffic_; }
-  [[nodiscard]] Scene scene() const {
-    return scene_at(from_nanoseconds(ticks_ * 20'000'000), road_, traffic_);
-  }
+  [[nodiscard]] Scene scene() const { return traffic_.scene(from_nanoseconds(ticks_ * 20'000'000)); }
   void advance() {
     traffic_.advance(0.02);
     ++ticks_;
