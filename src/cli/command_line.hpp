@@ -44,4 +44,7 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
   });
 }
 
+/// Subcommands with a file of their own.
+void add_simulate(CommandLine& line);
+
 }  // namespace lanefuse

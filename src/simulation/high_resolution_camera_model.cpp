@@ -59,12 +59,9 @@ HighResolutionCameraModel::Bar HighResolutionCameraModel::replace_by_outlier(con
   return {station, random_.uniform(right, left)};
 }
 
-/// Where the camera believes a place on the road to be, with all that is wrong in this frame.
-std::optional<Eigen::Vector2d> HighResolutionCameraModel::see(const Scene& scene, const Bar& bar,
+/// Where the camera believes a point of the vehicle frame to be, with all that is wrong in this frame.
+std::optional<Eigen::Vector2d> HighResolutionCameraModel::see(const Eigen::Vector2d& point, double height,
                                                               const GroundView::PixelError& error) const {
-  const Eigen::Vector2d point =
-      scene.ego.world_from_vehicle.inverse() * scene.road->pose(bar.station, bar.lateral).position();
-  const double height = scene.road->height().above_tangent(scene.ego.station, bar.station);
   auto seen = view_.see(point, height, error);
   if (seen) seen->y() += shared_.value() * point.x() / 100;
   return seen;
@@ -72,14 +69,16 @@ std::optional<Eigen::Vector2d> HighResolutionCameraModel::see(const Scene& scene
 
 void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSight& sight, const Bar& place,
                                             std::vector<Feature>& features) {
-  const Pose2 bar = scene.ego.world_from_vehicle.inverse() * scene.road->pose(place.station, place.lateral);
+  Pose2 bar = scene.ego.world_from_vehicle.inverse() * scene.road->pose(place.station, place.lateral);
+  bar.heading += place.turn;
   if (bar.x < kNearest || bar.x > reach(scene) || std::abs(std::atan2(bar.y, bar.x)) > kField) return;
   if (!random_.chance(detection(bar.x)) || sight.blocked(bar.position())) return;
   const double noise = preset_.noise_px * preset_.pixel;
   const GroundView::PixelError error{random_.normal(noise), random_.normal(noise)};
-  const auto seen = see(scene, place, error);
-  const auto ahead =
-      see(scene, {place.station + kBarLength, place.lateral + place.slope * kBarLength}, error);
+  const RoadHeight& road = scene.road->height();
+  const auto seen = see(bar.position(), road.above_tangent(scene.ego.station, place.station), error);
+  const auto ahead = see(bar * Eigen::Vector2d(kBarLength, 0),
+                         road.above_tangent(scene.ego.station, place.station + kBarLength), error);
   if (!seen || !ahead) return;
   const Eigen::Vector2d along = *ahead - *seen;
   Feature feature;
@@ -94,8 +93,10 @@ void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSigh
 }
 
 HighResolutionCameraModel::Bar HighResolutionCameraModel::bar_of(const Road& road, int line, double station) {
-  return {station, road.line_lateral(line, station), road.line_slope(line, station),
-          road.marking(line, station).colour};
+  const double lateral = road.line_lateral(line, station);
+  const double along = 1 - road.reference().curvature(station) * lateral;
+  const double turn = std::atan2(road.line_slope(line, station), along);
+  return {station, lateral, turn, road.marking(line, station).colour};
 }
 
 void HighResolutionCameraModel::observe_line(const Scene& scene, const LineOfSight& sight, int line,

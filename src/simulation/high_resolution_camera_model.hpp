@@ -37,14 +37,14 @@ class HighResolutionCameraModel final : public SensorModel {
   struct Bar {
     double station = 0;  ///< [m]
     double lateral = 0;  ///< [m]
-    double slope = 0;    ///< d lateral / d station
+    double turn = 0;     ///< [rad] against the road
     MarkingColour colour = MarkingColour::white;
   };
 
   void observe_line(const Scene& scene, const LineOfSight& sight, int line, std::vector<Feature>& features);
   void observe_bar(const Scene& scene, const LineOfSight& sight, const Bar& place,
                    std::vector<Feature>& features);
-  [[nodiscard]] std::optional<Eigen::Vector2d> see(const Scene& scene, const Bar& bar,
+  [[nodiscard]] std::optional<Eigen::Vector2d> see(const Eigen::Vector2d& point, double height,
                                                    const GroundView::PixelError& error) const;
   static Bar bar_of(const Road& road, int line, double station);
   Bar replace_by_outlier(const Scene& scene, double station);

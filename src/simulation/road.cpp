@@ -33,10 +33,20 @@ bool paint_is_missing(const RoadLine& line, double station) {
 
 }  // namespace
 
-const char* to_string(RoadKind kind) { return kind == RoadKind::gentle ? "gentle" : "curved"; }
+const char* to_string(RoadKind kind) {
+  switch (kind) {
+    case RoadKind::gentle:
+      return "gentle";
+    case RoadKind::curved:
+      return "curved";
+    case RoadKind::sharp:
+      return "sharp";
+  }
+  return "?";
+}
 
 Road::Road(RoadKind kind, double length, const RoadPreset& preset, std::uint64_t seed)
-    : Road(generated_road(kind, length, preset, seed)) {}
+    : Road(generated_road({kind, length}, preset, seed)) {}
 
 Road::Road(ReferenceLine reference, RoadHeight height, RoadLayout layout)
     : reference_(std::move(reference)), height_(std::move(height)), layout_(std::move(layout)) {}

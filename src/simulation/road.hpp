@@ -13,7 +13,7 @@
 
 namespace lanefuse {
 
-enum class RoadKind : std::uint8_t { gentle = 0, curved = 1 };
+enum class RoadKind : std::uint8_t { gentle = 0, curved = 1, sharp = 2 };
 const char* to_string(RoadKind kind);
 
 /// A motorway: lines, lanes, shoulders and guard rails along a reference line.
@@ -65,7 +65,6 @@ class Road {
 
   /// Of a road that is the same from end to end.
   [[nodiscard]] double lane_width() const { return lane_width(lane_count() / 2, 0); }
-  [[nodiscard]] double lane_centre(int lane) const { return lane_centre(lane, 0); }
 
   /// Lateral place of the guard rail on the left (+1) or right (-1).
   [[nodiscard]] double guard_rail(int side, double station) const;

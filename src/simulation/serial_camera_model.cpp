@@ -11,6 +11,7 @@ namespace {
 constexpr double kNearest = 5;       ///< [m] ahead of the origin; the bonnet hides what is nearer
 constexpr double kLeastSpacing = 2;  ///< [m] between the rows that it looks at
 constexpr double kField = 0.5;       ///< [rad] to either side: 1280 columns of .79 mrad
+constexpr double kPatience = 1;      ///< [s] without a point of a marking until it is no longer reported
 
 int line_of(const Road& road, int lane, Side side) {
   return side == Side::left ? road.left_line(lane) : road.right_line(lane);
@@ -83,7 +84,10 @@ std::vector<SerialLaneTracker::Point> SerialCameraModel::detect(const Scene& sce
   const LineOfSight sight(scene);
   std::vector<SerialLaneTracker::Point> points;
   detect_edge(scene, sight, Side::left, range, points);
+  left_unseen_ = points.empty() ? left_unseen_ + 1 / preset_.hz : 0;
+  const std::size_t left_points = points.size();
   detect_edge(scene, sight, Side::right, range, points);
+  right_unseen_ = points.size() == left_points ? right_unseen_ + 1 / preset_.hz : 0;
   return points;
 }
 
@@ -101,12 +105,12 @@ void SerialCameraModel::observe(const Scene& scene, std::vector<Measurement>& me
   move_tracker(scene);
   SerialLane lane;
   lane.stamp = stamp(description(), scene.time, preset_.latency);
-  const double range = draw_range();
+  const double range = std::min(draw_range(), scene.visibility);
   const bool dropped = random_.chance(preset_.dropout);
   if (!dropped) tracker_.update(detect(scene, range));
   if (!dropped && tracker_.settled()) {
-    lane.left = hand_over(scene, Side::left, range);
-    lane.right = hand_over(scene, Side::right, range);
+    if (left_unseen_ < kPatience) lane.left = hand_over(scene, Side::left, range);
+    if (right_unseen_ < kPatience) lane.right = hand_over(scene, Side::right, range);
   }
   measurements.emplace_back(std::move(lane));
 }
