@@ -6,6 +6,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/evaluation_text.hpp"
 #include "cli/lanes_and_truth.hpp"
@@ -14,6 +15,7 @@
 #include "core/error.hpp"
 #include "drawing/report.hpp"
 #include "evaluation/ego_path.hpp"
+#include "evaluation/evaluation_json.hpp"
 #include "evaluation/exact_truth.hpp"
 #include "evaluation/true_frames.hpp"
 
@@ -154,7 +156,7 @@ int evaluate(const EvaluateOptions& options) {
     fmt::print(stderr, "report: {}\n", report_file->string());
   }
   if (options.json) {
-    fmt::print("{}\n", to_json(result));
+    fmt::print("{}\n", to_json(result).dump());
   } else {
     fmt::print("{}", to_table(result));
   }

@@ -8,11 +8,7 @@
 
 namespace lanefuse {
 
-/// The result as one line of JSON: `lanes{ego[],adjacent[]}`, `baselines{straight[],arc[]}` and the counts.
-/// What is not known is null.
-std::string to_json(const EvaluationResult& result);
-
-/// The same as a table for a terminal, with Table I's columns.
+/// The result as a table for a terminal, with Table I's columns.
 std::string to_table(const EvaluationResult& result);
 
 }  // namespace lanefuse
