@@ -31,13 +31,14 @@ std::vector<Figure> make_figures() {
   std::vector<Figure> all;
   add_rmse(all, "ego");
   add_rmse(all, "adjacent");
-  all.insert(all.end(),
-             {{"ego reaches 60 m", "", "/lanes/ego/6/availability", "", Better::higher, Mean::plain},
-              {"adjacent reaches 60 m", "", "/lanes/adjacent/6/availability", "", Better::higher, Mean::plain},
-              {"false lanes a frame", "", "/false_lanes_per_frame", "", Better::lower, Mean::plain},
-              {"wrong-lane rate", "", "/wrong_lane_rate", "", Better::lower, Mean::plain},
-              {"cycle time, median", "ms", "/cycle_ms/p50", "", Better::lower, Mean::plain},
-              {"cycle time, 99th percentile", "ms", "/cycle_ms/p99", "", Better::lower, Mean::plain}});
+  all.insert(
+      all.end(),
+      {{"ego reaches 60 m", "", "/lanes/ego/6/availability", "", Better::higher, Mean::plain},
+       {"adjacent reaches 60 m", "", "/lanes/adjacent/6/availability", "", Better::higher, Mean::plain},
+       {"false lanes a frame", "", "/false_lanes_per_frame", "", Better::lower, Mean::plain},
+       {"wrong-lane rate", "", "/wrong_lane_rate", "", Better::lower, Mean::plain},
+       {"cycle time, median", "ms", "/cycle_ms/p50", "", Better::lower, Mean::plain},
+       {"cycle time, 99th percentile", "ms", "/cycle_ms/p99", "", Better::lower, Mean::plain}});
   assert(all.size() == kFigureCount);
   return all;
 }
@@ -67,7 +68,9 @@ std::size_t rmse_figure(bool adjacent, std::size_t shown_distance) {
   return (adjacent ? kShownDistances : 0) + shown_distance;
 }
 
-std::optional<double> value_of(const Figure& figure, const Json& line) { return number_at(line, figure.value); }
+std::optional<double> value_of(const Figure& figure, const Json& line) {
+  return number_at(line, figure.value);
+}
 
 std::optional<FigureMean> mean_of(const Figure& figure, std::span<const Json* const> lines) {
   std::vector<DriveSample> samples;

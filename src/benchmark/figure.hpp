@@ -59,7 +59,6 @@ struct FigureMean {
 };
 
 /// Nothing where no line has the figure.
-std::optional<FigureMean> mean_of(const Figure& figure,
-                                  std::span<const nlohmann::ordered_json* const> lines);
+std::optional<FigureMean> mean_of(const Figure& figure, std::span<const nlohmann::ordered_json* const> lines);
 
 }  // namespace lanefuse

@@ -55,7 +55,10 @@ ResultLine parse_line(const std::string& text, const std::string& place) {
     }
     const DriveKey key = key_of(json);
     if (!std::isfinite(key.km)) throw input_error(place, "is no line of benchmark results");
-    return {key, {json.at("version"), json.at("preset"), json.at("configuration_hash")}, std::move(json), text,
+    return {key,
+            {json.at("version"), json.at("preset"), json.at("configuration_hash")},
+            std::move(json),
+            text,
             place};
   } catch (const nlohmann::json::exception& e) {
     throw input_error(place, fmt::format("is no line of benchmark results: {}", e.what()));

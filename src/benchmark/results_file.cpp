@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmark/results_file.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,11 +17,19 @@ Error cannot_write(const std::filesystem::path& path) {
   return input_error(path.string(), "could not be written", "is there room on the disk?");
 }
 
+/// What a killed run leaves is the beginning of a line; anything else is somebody's file.
+void demand_begun_line(const std::string& text, const std::string& place) {
+  constexpr std::string_view kBegin = R"({"scene":")";
+  const std::size_t compared = std::min(text.size(), kBegin.size());
+  if (text.substr(0, compared) != kBegin.substr(0, compared)) {
+    throw input_error(place, "is no line of benchmark results");
+  }
+}
+
 void demand_no_contradiction(const ResultLine& a, const ResultLine& b) {
   demand_same_provenance(a, b);
   if (same_figures(a, b)) return;
-  throw input_error(b.place,
-                    fmt::format("contradicts {}: other figures for {}", a.place, to_string(b.key)),
+  throw input_error(b.place, fmt::format("contradicts {}: other figures for {}", a.place, to_string(b.key)),
                     "the same drive gives the same figures: one of the two was made by other code");
 }
 
@@ -31,8 +41,9 @@ ResultsFile read_results(const std::filesystem::path& path) {
   ResultsFile file{path, {}, 0, false};
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
-    if (in.eof()) {
-      file.cut_off = true;  // getline stops at the end of the file only where no end of a line came before
+    if (in.eof()) {  // no end of a line: the run that wrote it was killed
+      demand_begun_line(text, fmt::format("{}:{}", path.string(), number));
+      file.cut_off = true;
       break;
     }
     file.lines.push_back(parse_line(text, fmt::format("{}:{}", path.string(), number)));

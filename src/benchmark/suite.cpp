@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -33,12 +34,16 @@ const Suite kSuites[] = {
     {"ablations", kNominalScene, "gentle", kAll, 24},
 };
 
+void demand_one_of(const char* option, const std::string& name, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw configuration_error(option, fmt::format("there is no '{}'", name),
+                            fmt::format("choose among {}", fmt::join(names, ", ")));
+}
+
 const Suite& find_suite(const std::string& name) {
-  for (const Suite& suite : kSuites) {
-    if (name == suite.name) return suite;
-  }
-  throw configuration_error("--suite", fmt::format("there is no '{}'", name),
-                            fmt::format("choose among {}", fmt::join(suite_names(), ", ")));
+  demand_one_of("--suite", name, suite_names());
+  return *std::find_if(std::begin(kSuites), std::end(kSuites),
+                       [&name](const Suite& suite) { return name == suite.name; });
 }
 
 bool fits(const std::string& wanted, const std::string& name) { return wanted == kAll || wanted == name; }
@@ -47,12 +52,9 @@ bool fits(const std::string& wanted, const std::string& name) { return wanted ==
 std::vector<BenchmarkScene> scenes_of(const SuiteChoice& choice, const Suite& suite) {
   const std::string scene = choice.scene.value_or(suite.scene);
   const std::string road = choice.road.value_or(choice.scene ? kAll : suite.road);
+  if (scene != kAll) demand_one_of("--scene", scene, scene_names());
   std::vector<BenchmarkScene> scenes = benchmark_scenes();
   std::erase_if(scenes, [&](const BenchmarkScene& s) { return !fits(scene, s.name); });
-  if (scenes.empty()) {
-    throw configuration_error("--scene", fmt::format("there is no '{}'", scene),
-                              fmt::format("choose among {}", fmt::join(scene_names(), ", ")));
-  }
   std::erase_if(scenes, [&](const BenchmarkScene& s) { return !fits(road, s.road); });
   if (scenes.empty()) {
     throw configuration_error("--road", fmt::format("scene '{}' has no road '{}'", scene, road));
@@ -97,6 +99,8 @@ std::vector<std::string> scene_names() {
 }
 
 std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
+  demand_one_of("--estimator", choice.estimator, {"graph"});
+  demand_one_of("--truth", choice.truth, {"exact", "surveyed"});
   const Suite& suite = find_suite(choice.suite);
   const auto scenes = scenes_of(choice, suite);
   const auto variants = variants_of(choice, suite);
