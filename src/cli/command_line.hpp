@@ -47,4 +47,7 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
   });
 }
 
+/// Subcommands that have a file of their own.
+void add_evaluate(CommandLine& line);
+
 }  // namespace lanefuse
