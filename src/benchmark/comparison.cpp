@@ -59,9 +59,10 @@ void demand_same_presets(std::span<const ResultLine> a, std::span<const ResultLi
 /// The kinds of drives, whatever their seeds.
 std::set<DriveKey> kinds_of(const Side& side) {
   std::set<DriveKey> kinds;
-  for (auto [key, line] : side) {
-    key.seed = 0;
-    kinds.insert(key);
+  for (const auto& [key, line] : side) {
+    DriveKey kind = key;
+    kind.seed = 0;
+    kinds.insert(kind);
   }
   return kinds;
 }

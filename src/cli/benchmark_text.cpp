@@ -3,9 +3,10 @@
 #include "cli/benchmark_text.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
+
+#include "evaluation/table_one.hpp"
 
 namespace lanefuse {
 namespace {
@@ -13,9 +14,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
-/// RMSE of the paper's Table I [IROS16], against a map of its own, in metres at 0, 20 ... 120 m.
-constexpr std::array<std::array<double, kShownDistances>, 2> kPaper{
-    {{0.10, 0.11, 0.18, 0.28, 0.42, 0.55, 0.64}, {0.21, 0.21, 0.27, 0.37, 0.50, 0.66, 0.99}}};
+/// What the paper's Table I says of an RMSE among figures().
+double paper_rmse(std::size_t figure) {
+  const PaperRow& row = kTableOne[figure % kShownDistances];
+  return figure < kShownDistances ? row.ego.rmse : row.adjacent.rmse;
+}
+
+/// Of UTF-8 text: "±" is one letter and two bytes.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
 
 std::string laid_out(const Row& row, const std::vector<std::size_t>& widths, bool markdown) {
   std::string line = markdown ? "|" : "";
@@ -32,10 +41,7 @@ std::string laid_out(const Row& row, const std::vector<std::size_t>& widths, boo
 std::string grid(const std::vector<Row>& rows, bool markdown) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows) {
-    // Every cell's letters take one column, but "±" two bytes: fmt counts letters.
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] =
-          std::max(widths[i], fmt::formatted_size("{}", row[i]) - (row[i].find("±") != std::string::npos));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
   }
   std::string text;
   for (const Row& row : rows) {
@@ -65,7 +71,8 @@ Row rmse_row(const Summary& summary, bool adjacent) {
 
 Row paper_row(bool adjacent) {
   Row row{adjacent ? "" : "the paper, Table I", adjacent ? "adjacent" : "ego"};
-  for (const double rmse : kPaper[adjacent ? 1 : 0]) row.push_back(fmt::format("{:.2f}", rmse));
+  for (std::size_t i = 0; i < kShownDistances; ++i)
+    row.push_back(fmt::format("{:.2f}", paper_rmse(rmse_figure(adjacent, i))));
   row.emplace_back("-");
   return row;
 }
@@ -120,8 +127,7 @@ Json to_json(const std::vector<Summary>& summaries) {
       entry["low"] = number(mean ? mean->low : std::nullopt);
       entry["high"] = number(mean ? mean->high : std::nullopt);
       entry["drives"] = mean ? mean->drives : 0;
-      if (summary.nominal && i < 2 * kShownDistances)
-        entry["paper"] = kPaper[i / kShownDistances][i % kShownDistances];
+      if (summary.nominal && i < 2 * kShownDistances) entry["paper"] = paper_rmse(i);
       means.push_back(std::move(entry));
     }
     list.push_back(std::move(row));
