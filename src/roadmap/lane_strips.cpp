@@ -89,10 +89,8 @@ void append_styles(const StripEdge& edge, double from, MapBoundary& boundary) {
         boundary.styles.back().width == style.width) {
       continue;
     }
-    if (!boundary.styles.empty() && boundary.styles.back().from >= style.from) {
-      boundary.styles.pop_back();
-      style.from = boundary.styles.empty() ? 0 : style.from;
-    }
+    while (!boundary.styles.empty() && boundary.styles.back().from >= style.from) boundary.styles.pop_back();
+    if (boundary.styles.empty()) style.from = 0;
     boundary.styles.push_back(style);
   }
 }
