@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/command_line.hpp"
-#include "cli/evaluate_command.hpp"
 #include "cli/graph_command.hpp"
 #include "cli/import_command.hpp"
 #include "cli/plot_command.hpp"
@@ -56,20 +55,6 @@ void add_run(CommandLine& line) {
     }
     line.action = [&options] { return run(options); };
   });
-}
-
-void add_evaluate(CommandLine& line) {
-  auto& options = line.make<EvaluateOptions>();
-  CLI::App& command =
-      *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
-  command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command
-      .add_option("--truth", options.truth, "exact: the simulated road; ego-path: where the car went later")
-      ->required()
-      ->check(CLI::IsMember({"exact", "ego-path"}));
-  command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
-  command.add_option("-o,--report", options.report, "the report to write, else report.html beside the lanes");
-  finish(command, line, options, evaluate);
 }
 
 void add_plot(CommandLine& line) {
@@ -132,6 +117,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_plot(*line);
   add_strip(*line);
   add_graph(*line);
+  add_benchmark(*line);
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

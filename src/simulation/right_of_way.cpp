@@ -42,9 +42,10 @@ bool waits_for(const Vehicle& newcomer, const Vehicle& owner) {
 }  // namespace
 
 double acceleration_among(const Vehicle& vehicle, const std::vector<Vehicle>& all, const TrafficLanes& lanes,
-                          double speed_limit) {
+                          const FlowAhead& flow) {
   CarFollowing driver = vehicle.driver;
-  driver.wished_speed = std::min(driver.wished_speed, speed_limit);
+  driver.wished_speed = std::min(driver.wished_speed, flow.speed_limit);
+  bool leads = true;
   double acceleration = std::min(driver.free(vehicle.speed), before_lane_end(vehicle, lanes));
   for (const Vehicle& other : all) {
     if (&other == &vehicle) continue;
@@ -54,11 +55,14 @@ double acceleration_among(const Vehicle& vehicle, const std::vector<Vehicle>& al
       return driver.behind(vehicle.speed, gap_between(vehicle, other), other.speed);
     };
     if (in_the_way && ahead) {
+      leads = false;
       acceleration = std::min(acceleration, behind());
     } else if (lets_in(vehicle, other) || waits_for(vehicle, other)) {
       acceleration = std::min(acceleration, std::max(kYielding, behind()));
     }
   }
+  if (leads && flow.gap < INFINITY)
+    acceleration = std::min(acceleration, driver.behind(vehicle.speed, flow.gap, vehicle.speed));
   return acceleration;
 }
 

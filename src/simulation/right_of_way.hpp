@@ -9,11 +9,17 @@
 
 namespace lanefuse {
 
+/// What the flow of the traffic does to a driver, beyond the vehicles that are there.
+struct FlowAhead {
+  double speed_limit = 0;  ///< [m/s]
+  double gap = 0;          ///< [m] to the next vehicle for those who see none; infinite on a free road
+};
+
 /// The acceleration [m/s^2] at which the vehicle keeps its distance from everyone ahead in the lanes that it
 /// fills, stops before its lane ends, and gives way where lanes merge: those who must leave a lane and those
-/// beside them take turns. `speed_limit` [m/s] is the flow's.
+/// beside them take turns.
 double acceleration_among(const Vehicle& vehicle, const std::vector<Vehicle>& all, const TrafficLanes& lanes,
-                          double speed_limit);
+                          const FlowAhead& flow);
 
 /// Whether the vehicle can change to the lane without anyone having to brake hard, or to get too close.
 bool is_free_for(const Vehicle& vehicle, int lane, const std::vector<Vehicle>& all);

@@ -64,7 +64,8 @@ void Traffic::fill(int lane) {
 void Traffic::advance(double seconds) {
   steer_ego();
   for (Vehicle& vehicle : vehicles_) {
-    vehicle.acceleration = acceleration_among(vehicle, vehicles_, lanes_, limit_at(vehicle.station));
+    vehicle.acceleration =
+        acceleration_among(vehicle, vehicles_, lanes_, {limit_at(vehicle.station), flow_.mean_gap()});
   }
   for (Vehicle& vehicle : vehicles_) lanefuse::advance(vehicle, lanes_, seconds, random_);
   for (Vehicle& vehicle : vehicles_) changes_.consider(vehicle, vehicles_, seconds);

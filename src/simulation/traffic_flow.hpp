@@ -22,7 +22,8 @@ class TrafficFlow {
   [[nodiscard]] double speed_limit(double station, double time) const;
   /// [m] from rear to rear of vehicles that enter one after the other.
   [[nodiscard]] double draw_headway(Random& random) const;
-  [[nodiscard]] double least_headway() const { return least_headway_; }
+  /// [m] from bumper to bumper in dense traffic; infinite on a free road.
+  [[nodiscard]] double mean_gap() const;
 
  private:
   static constexpr double kFreeHeadway = 40;  ///< [m]
