@@ -163,6 +163,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_plot(*line);
   add_strip(*line);
   add_graph(*line);
+  add_map(*line);
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

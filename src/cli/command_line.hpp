@@ -44,4 +44,7 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
   });
 }
 
+/// The group `map` (map_arguments.cpp).
+void add_map(CommandLine& line);
+
 }  // namespace lanefuse
