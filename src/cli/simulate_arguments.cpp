@@ -11,8 +11,8 @@ namespace {
 void add_replay(CLI::App& command, ReplayOptions& replay) {
   CLI::Option* file = command.add_option("--commonroad", replay.scenario,
                                          "replay the traffic recorded in a CommonRoad scenario (.xml)");
-  for (const char* other : {"--km", "--road", "--scenario", "--list-scenarios", "--no-serial-camera",
-                            "--no-high-resolution-camera", "--no-objects"}) {
+  for (const char* other : {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios",
+                            "--no-serial-camera", "--no-high-resolution-camera", "--no-objects"}) {
     file->excludes(command.get_option(other));
   }
   command
@@ -53,6 +53,10 @@ void add_simulate(CommandLine& line) {
       .add_option("--scenario", options.scenario,
                   "what happens: a name from --list-scenarios, or a file (.yaml)")
       ->default_str("nominal");
+  command.add_option("--map", options.map,
+                     "drive on a map's road (.xodr, .osm, .xml of CommonRoad, .geojson)");
+  command.add_option("--write-map", options.write_map,
+                     "write the road as a map, too (.xodr, .osm, .geojson)");
   command.add_flag("--list-scenarios", options.list_scenarios, "print the scenarios' names, and stop");
   const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
     command.add_flag_callback(

@@ -15,11 +15,11 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kLeadIn = 400;   ///< [m] of road behind the start, for those who follow
-constexpr double kLeadOut = 600;  ///< [m] of road beyond the end, for those ahead and for what sensors see
+constexpr double kLeadIn = 400;      ///< [m] of road behind the start, for those who follow
+constexpr double kLeadOut = 600;     ///< [m] of road beyond the end, for those ahead and for what sensors see
 constexpr double kMapLeadIn = 60;    ///< [m] of a map's road behind the start
 constexpr double kMapLeadOut = 160;  ///< [m] of it beyond the end: as far as sensors see
-constexpr double kShortestDrive = 50;  ///< [m]
+constexpr double kShortestDrive = 50;              ///< [m]
 constexpr GeoOrigin kNearMunich{48.2, 11.6, 500};  ///< drawn roads have to lie somewhere
 
 double checked_length(double km) {
@@ -36,12 +36,14 @@ DriveRoad drive_road_from(const std::filesystem::path& file, double length, cons
   Road road = road_from_map(map, preset, seed, file.string());
   const double available = road.length() - kMapLeadIn - kMapLeadOut;
   if (available < kShortestDrive) {
-    throw input_error(file.string(), fmt::format("{:.0f} m of road are too short for any drive", road.length()),
+    throw input_error(file.string(),
+                      fmt::format("{:.0f} m of road are too short for any drive", road.length()),
                       fmt::format("it takes {} m", kMapLeadIn + kMapLeadOut + kShortestDrive));
   }
   if (length > available) {
     throw configuration_error(
-        file.string(), fmt::format("{:.0f} m of road are too short for a drive of {} km", road.length(), length / 1000),
+        file.string(),
+        fmt::format("{:.0f} m of road are too short for a drive of {} km", road.length(), length / 1000),
         fmt::format("choose up to {:.2f} km", std::floor(available / 10) / 100));
   }
   return {std::move(road), kMapLeadIn, file.filename().string(), map.origin};

@@ -138,7 +138,9 @@ void add_lanes(const RoadMap& map, const std::map<std::uint64_t, int>& line_of_b
 LateralCourse centre_of(const RoadLine& left, const RoadLine& right) {
   const double begin = std::max(left.stretch.begin, right.stretch.begin);
   const double end = std::min(left.stretch.end, right.stretch.end);
-  const auto middle = [&](double station) { return (left.lateral.at(station) + right.lateral.at(station)) / 2; };
+  const auto middle = [&](double station) {
+    return (left.lateral.at(station) + right.lateral.at(station)) / 2;
+  };
   std::vector<LateralCourse::Knot> knots;
   const double count = std::max(1.0, std::floor((end - begin) / (2 * kSmoothing)));
   for (double i = 0; i <= count; ++i) {
