@@ -117,23 +117,6 @@ std::vector<FoundLine> lines_of(const RoadMap& map, const ReferenceLine& referen
   return lines;
 }
 
-void add_lanes(const RoadMap& map, const std::map<std::uint64_t, int>& line_of_boundary, RoadParts& parts) {
-  for (const MapLane& lane : map.lanes) {
-    const auto left = line_of_boundary.find(lane.left_boundary);
-    const auto right = line_of_boundary.find(lane.right_boundary);
-    const bool found = left != line_of_boundary.end() && right != line_of_boundary.end();
-    if (lane.kind == LaneKind::emergency || !found || left->second >= right->second) continue;
-    const RoadLine& left_line = parts.lines[static_cast<std::size_t>(left->second)];
-    const RoadLine& right_line = parts.lines[static_cast<std::size_t>(right->second)];
-    const bool side_by_side = std::max(left_line.stretch.begin, right_line.stretch.begin) + kShortestLine <
-                              std::min(left_line.stretch.end, right_line.stretch.end);
-    if (!side_by_side) continue;
-    parts.lanes.push_back({lane.kind, left->second, right->second, centre_of(left_line, right_line)});
-  }
-  std::stable_sort(parts.lanes.begin(), parts.lanes.end(),
-                   [](const RoadLane& a, const RoadLane& b) { return a.left_line < b.left_line; });
-}
-
 /// The way along a lane: half-way between its lines, without their corners.
 LateralCourse centre_of(const RoadLine& left, const RoadLine& right) {
   const double begin = std::max(left.stretch.begin, right.stretch.begin);
@@ -155,6 +138,23 @@ LateralCourse centre_of(const RoadLine& left, const RoadLine& right) {
     knots[i].slope = (next.lateral - knots[i - 1].lateral) / (next.station - knots[i - 1].station);
   }
   return LateralCourse(std::move(knots));
+}
+
+void add_lanes(const RoadMap& map, const std::map<std::uint64_t, int>& line_of_boundary, RoadParts& parts) {
+  for (const MapLane& lane : map.lanes) {
+    const auto left = line_of_boundary.find(lane.left_boundary);
+    const auto right = line_of_boundary.find(lane.right_boundary);
+    const bool found = left != line_of_boundary.end() && right != line_of_boundary.end();
+    if (lane.kind == LaneKind::emergency || !found || left->second >= right->second) continue;
+    const RoadLine& left_line = parts.lines[static_cast<std::size_t>(left->second)];
+    const RoadLine& right_line = parts.lines[static_cast<std::size_t>(right->second)];
+    const bool side_by_side = std::max(left_line.stretch.begin, right_line.stretch.begin) + kShortestLine <
+                              std::min(left_line.stretch.end, right_line.stretch.end);
+    if (!side_by_side) continue;
+    parts.lanes.push_back({lane.kind, left->second, right->second, centre_of(left_line, right_line)});
+  }
+  std::stable_sort(parts.lanes.begin(), parts.lanes.end(),
+                   [](const RoadLane& a, const RoadLane& b) { return a.left_line < b.left_line; });
 }
 
 /// Hard shoulders of the map, as wide as they are half-way.
