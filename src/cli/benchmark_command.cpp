@@ -130,7 +130,7 @@ void report(const BenchmarkOptions& options, std::size_t drives, std::size_t dri
                                               {"there_already", drives - driven}}
                            .dump());
   } else {
-    fmt::print("{} drives, {} of them were there already -> {}\n", drives, drives - driven,
+    fmt::print("{} of {} drives driven, {} there already -> {}\n", driven, drives, drives - driven,
                options.output->string());
   }
 }
