@@ -34,9 +34,6 @@ std::string not_negative(const std::string& text);
 /// One of the subcommands must be named. CLI11's own check would call an unknown name a missing one.
 void demand_subcommand(CLI::App& app);
 
-/// `lanefuse benchmark` and what is done with its results.
-void add_benchmark(CommandLine& line);
-
 /// --json and --force, which every subcommand has; then `run_command` is what the subcommand does.
 template <typename Options, typename Command>
 void finish(CLI::App& command, CommandLine& line, Options& options, Command run_command) {
@@ -48,6 +45,9 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
 }
 
 /// Subcommands that have a file of their own.
+void add_benchmark(CommandLine& line);
 void add_evaluate(CommandLine& line);
+void add_map(CommandLine& line);
+void add_simulate(CommandLine& line);
 
 }  // namespace lanefuse
