@@ -8,7 +8,8 @@ import subprocess
 
 import program
 
-HEAD = ["scene", "road", "seed", "km", "variant", "estimator", "truth", "version", "preset", "configuration_hash"]
+HEAD = ["scene", "road", "seed", "km", "variant", "estimator", "truth", "version", "preset", "scene_hash",
+        "configuration_hash"]
 TIMES = {"cycle_ms", "stage_s", "wall_s"}
 
 
