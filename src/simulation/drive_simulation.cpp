@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "simulation/gnss_ins_model.hpp"
 #include "simulation/high_resolution_camera_model.hpp"
 #include "simulation/object_list_model.hpp"
 #include "simulation/odometry_model.hpp"
@@ -26,6 +27,14 @@ double checked_length(double km) {
                               "choose up to 1000 km");
   }
   return km * 1000;
+}
+
+EgoPlan checked(const EgoPlan& plan, const Road& road) {
+  if (plan.lane && (*plan.lane < 0 || *plan.lane >= road.lane_count())) {
+    throw configuration_error("simulation", fmt::format("the road has no lane {}", *plan.lane + 1),
+                              fmt::format("choose from 1, on the left, to {}", road.lane_count()));
+  }
+  return plan;
 }
 
 std::int64_t ticks_a_period(double hz, const char* what) {
@@ -55,8 +64,8 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
     : config_(config),
       preset_(preset),
       road_(std::make_unique<Road>(config.road, kLeadIn + checked_length(config.km) + kLeadOut, preset.road,
-                                   config.seed)),
-      traffic_(*road_, preset, kLeadIn, config.seed) {
+                                   config.road_seed.value_or(config.seed))),
+      traffic_(*road_, preset, kLeadIn, config.seed, checked(config.ego, *road_)) {
   add_sensors();
   ticks_a_period(preset.fusion_hz, "fusion");
   for (const auto& sensor : sensors_) ticks_a_period(sensor->hz(), sensor->description().name.c_str());
@@ -69,6 +78,7 @@ void DriveSimulation::add_sensors() {
   if (config_.high_resolution_camera)
     sensors_.push_back(std::make_unique<HighResolutionCameraModel>(preset_, seed));
   if (config_.objects) sensors_.push_back(std::make_unique<ObjectListModel>(preset_, seed));
+  if (config_.gnss_ins) sensors_.push_back(std::make_unique<GnssInsModel>(preset_.gnss_ins, seed));
 }
 
 Rig DriveSimulation::rig() const {
@@ -78,9 +88,13 @@ Rig DriveSimulation::rig() const {
 }
 
 DriveInfo DriveSimulation::info() const {
-  const std::string name =
+  std::string name =
       fmt::format("simulated, seed {}, {} km, {}", config_.seed, config_.km, to_string(config_.road));
-  return {name, preset_.hash, WitnessRule::radar_and_camera};
+  if (config_.road_seed) name += fmt::format(", road seed {}", *config_.road_seed);
+  if (config_.ego.lane) name += fmt::format(", lane {}", *config_.ego.lane + 1);
+  DriveInfo info{name, preset_.hash, WitnessRule::radar_and_camera};
+  if (config_.gnss_ins) info.origin = kSimulatedOrigin;
+  return info;
 }
 
 double DriveSimulation::progress() const {

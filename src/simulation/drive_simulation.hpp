@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct SimulationConfig {
   bool serial_camera = true;
   bool high_resolution_camera = true;
   bool objects = true;
+  bool gnss_ins = false;                   ///< only for surveys; the drive then says where on Earth it is
+  std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
+  EgoPlan ego;
 };
 
 /// A simulated drive on a motorway, with exact truth. Runs in steps of kTick; nothing but the road grows with

@@ -147,6 +147,16 @@ CameraBoxesPreset read_camera_boxes(PresetSection boxes) {
   return {boxes.positive("range_m"), detection.share("near"), detection.share("at_90_m")};
 }
 
+GnssInsPreset read_gnss_ins(PresetSection gnss_ins) {
+  GnssInsPreset preset;
+  preset.hz = gnss_ins.positive("hz");
+  preset.position = gnss_ins.positive("position_m");
+  preset.position_tau = gnss_ins.positive("position_tau_s");
+  preset.heading = gnss_ins.positive("heading_deg") * kDegree;
+  gnss_ins.finish();
+  return preset;
+}
+
 YAML::Node parse_yaml(std::string_view text, const std::string& place) {
   try {
     return YAML::Load(std::string(text));
@@ -173,8 +183,8 @@ SensorPreset parse_preset(std::string_view text, const std::string& place) {
   preset.object_list = read_object_list(file.section("object_list"));
   preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
   preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
-  for (const char* later : {"conventions", "short_range_radar", "ghosts", "gnss_ins", "truth"})
-    file.leave(later);
+  preset.gnss_ins = read_gnss_ins(file.section("gnss_ins"));
+  for (const char* later : {"conventions", "short_range_radar", "ghosts", "truth"}) file.leave(later);
   file.finish();
   return preset;
 }

@@ -117,6 +117,13 @@ struct CameraBoxesPreset {
   double detection_at_90_m = 0;
 };
 
+struct GnssInsPreset {
+  double hz = 0;
+  double position = 0;      ///< [m] sigma of each coordinate
+  double position_tau = 0;  ///< [s]
+  double heading = 0;       ///< [rad] sigma
+};
+
 struct SensorPreset {
   std::string hash;  ///< of the file's bytes: FNV-1a 64, sixteen hexadecimal digits
   RoadPreset road;
@@ -130,6 +137,7 @@ struct SensorPreset {
   ObjectListPreset object_list;
   LongRangeRadarPreset long_range_radar;
   CameraBoxesPreset camera_boxes;
+  GnssInsPreset gnss_ins;
 };
 
 /// The bytes of config/nominal-preset.yaml, as they were when the program was built.

@@ -28,10 +28,11 @@ double gap_between(const Vehicle& behind, const Vehicle& ahead) { return ahead.t
 
 }  // namespace
 
-Traffic::Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed)
+Traffic::Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed,
+                 const EgoPlan& plan)
     : road_(road), preset_(preset.traffic), ego_preset_(preset.ego), random_(seed, "traffic") {
   for (int lane = 0; lane < road.lane_count(); ++lane) headways_.push_back({draw_headway(), draw_headway()});
-  vehicles_.push_back(make_ego(start));
+  vehicles_.push_back(make_ego(start, plan));
   fill();
 }
 
@@ -41,8 +42,8 @@ double Traffic::draw_headway() {
          random_.exponential(std::max(1.0, 1 / preset_.vehicles_per_metre_lane - kLeastHeadway));
 }
 
-Vehicle Traffic::make_ego(double start) {
-  const int lane = road_.lane_count() / 2;
+Vehicle Traffic::make_ego(double start, const EgoPlan& plan) {
+  const int lane = plan.lane.value_or(road_.lane_count() / 2);
   const double width = 1.85;
   const LateralMotion::Style style{preset_.wander_sigma, preset_.wander_tau, 0, room_in_lane(road_, width)};
   Vehicle ego(LateralMotion(road_.lane_centre(lane), style, random_));
@@ -53,7 +54,7 @@ Vehicle Traffic::make_ego(double start) {
   ego.station = start;
   ego.speed = ego.driver.wished_speed = ego_preset_.speed;
   ego.lane = ego.left_behind = lane;
-  ego.wait = ego_preset_.lane_change_every;
+  ego.wait = plan.lane_changes ? ego_preset_.lane_change_every : INFINITY;
   return ego;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/random.hpp"
@@ -14,6 +15,12 @@ namespace lanefuse {
 
 inline constexpr std::int64_t kEgoId = 0;
 
+/// What the ego car is told to do; otherwise it starts in the middle lane and changes it now and then.
+struct EgoPlan {
+  std::optional<int> lane;   ///< to start in, from the left, from zero
+  bool lane_changes = true;  ///< whether it may leave it
+};
+
 /// The ego car and the vehicles within kTrafficReach of it.
 ///
 /// Each lane has its usual speed; trucks keep to the right lane. Drivers follow their leader, wander in their
@@ -21,8 +28,9 @@ inline constexpr std::int64_t kEgoId = 0;
 /// reach as if the traffic went on there, and are forgotten beyond it. No vehicle ever runs into another.
 class Traffic {
  public:
-  /// The ego car starts in the middle lane at `start` [m].
-  Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed);
+  /// The ego car starts at `start` [m].
+  Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed,
+          const EgoPlan& plan = {});
 
   void advance(double seconds);
 
@@ -43,7 +51,7 @@ class Traffic {
   };
   std::vector<Headways> headways_;  ///< a lane
 
-  Vehicle make_ego(double start);
+  Vehicle make_ego(double start, const EgoPlan& plan);
   Vehicle make_vehicle(int lane, double station);
   void fill();
   void enter(int lane);
