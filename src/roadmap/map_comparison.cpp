@@ -67,10 +67,7 @@ RoadMap moved_into(const RoadMap& truth, const std::optional<GeoOrigin>& origin)
   const GeoFrame into(*origin);
   RoadMap moved = truth;
   for (MapBoundary& boundary : moved.boundaries) {
-    for (Eigen::Vector3d& point : boundary.points) {
-      const GeoFrame::Place place = into.place(from.on_earth({{point.x(), point.y(), 0}, point.z()}));
-      point << place.pose.x, place.pose.y, place.height;
-    }
+    for (Eigen::Vector3d& point : boundary.points) point = into.local(from.place(point));
   }
   return moved;
 }

@@ -3,6 +3,7 @@
 #include "roadmap/survey_drive.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "core/error.hpp"
@@ -10,6 +11,7 @@
 namespace lanefuse {
 namespace {
 
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLeastConfidence = 0.3;
 constexpr double kLargestSigma = 0.15;  ///< [m] of an offset: beyond it the camera has not settled
 
@@ -33,15 +35,17 @@ std::vector<SeenMarking> markings_of(const SerialLane& lane) {
 }
 
 TrackSmoother::Fix vehicle_fix(const GnssInsFix& fix, const GeoFrame& frame, const Rig& rig) {
-  const GeoFrame::Place place = frame.place({fix.latitude, fix.longitude, fix.height, fix.heading});
+  const GeoOrigin there{fix.latitude / kDegree, fix.longitude / kDegree, fix.height};
+  const Eigen::Vector3d place = frame.local(there);
+  const Pose2 map_from_sensor{place.x(), place.y(), wrap_angle(fix.heading + frame.convergence(there))};
   const SensorDescription* sensor = rig.find(fix.stamp.sensor_id);
   const Mounting mounting = sensor ? sensor->mounting : Mounting{};
   const Pose2 vehicle_from_sensor{mounting.x, mounting.y, mounting.yaw};
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   covariance.topLeftCorner<2, 2>() = fix.position_covariance.topLeftCorner<2, 2>();
   covariance(2, 2) = fix.heading_sigma * fix.heading_sigma;
-  return {fix.stamp.measured_at, place.pose * vehicle_from_sensor.inverse(), covariance,
-          place.height - mounting.z};
+  return {fix.stamp.measured_at, map_from_sensor * vehicle_from_sensor.inverse(), covariance,
+          place.z() - mounting.z};
 }
 
 SurveyRecorder::SurveyRecorder(std::string name, const GeoFrame& frame, const Rig& rig,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 namespace lanefuse {
 namespace {
 
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLookHz = 50;  ///< of the simulator's ticks
 
 int fixes_a_look(double hz) {
@@ -25,9 +27,9 @@ int fixes_a_look(double hz) {
 
 }  // namespace
 
-GnssInsModel::GnssInsModel(const GnssInsPreset& preset, std::uint64_t seed)
+GnssInsModel::GnssInsModel(const GnssInsPreset& preset, const GeoOrigin& origin, std::uint64_t seed)
     : preset_(preset),
-      frame_(kSimulatedOrigin),
+      frame_(origin),
       random_(seed, "gnss ins"),
       position_errors_{Wander(preset.position, preset.position_tau, random_),
                        Wander(preset.position, preset.position_tau, random_),
@@ -39,15 +41,14 @@ SensorDescription GnssInsModel::description() const { return {5, SensorKind::gns
 
 GnssInsFix GnssInsModel::fix(Time time, const Pose2& world_from_vehicle) const {
   const auto& [east, north, up] = position_errors_;
-  const GeoFrame::Place place{{world_from_vehicle.x + east.value(), world_from_vehicle.y + north.value(),
-                               wrap_angle(world_from_vehicle.heading + heading_error_.value())},
-                              up.value()};
-  const GeoFrame::OnEarth there = frame_.on_earth(place);
+  const GeoOrigin there =
+      frame_.place({world_from_vehicle.x + east.value(), world_from_vehicle.y + north.value(), up.value()});
+  const double heading = world_from_vehicle.heading + heading_error_.value() - frame_.convergence(there);
   return {.stamp = stamp(description(), time, 0),
-          .latitude = there.latitude,
-          .longitude = there.longitude,
+          .latitude = there.latitude_deg * kDegree,
+          .longitude = there.longitude_deg * kDegree,
           .height = there.height,
-          .heading = there.heading,
+          .heading = wrap_angle(heading),
           .position_covariance = preset_.position * preset_.position * Eigen::Matrix3d::Identity(),
           .heading_sigma = preset_.heading,
           .kind = FixKind::rtk_fixed};

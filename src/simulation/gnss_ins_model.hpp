@@ -7,14 +7,10 @@
 
 #include "core/random.hpp"
 #include "roadmap/geo_frame.hpp"
-#include "sensors/geo_origin.hpp"
 #include "simulation/preset.hpp"
 #include "simulation/sensor_model.hpp"
 
 namespace lanefuse {
-
-/// Where simulated roads begin: in a field near Munich.
-inline constexpr GeoOrigin kSimulatedOrigin{48.2, 11.6, 500};
 
 /// An RTK-GNSS receiver with inertial sensors, at the origin of the vehicle frame, that has settled: every
 /// coordinate of the position is wrong by a few centimetres, which wander over minutes, and so is the
@@ -24,7 +20,8 @@ inline constexpr GeoOrigin kSimulatedOrigin{48.2, 11.6, 500};
 class GnssInsModel final : public SensorModel {
  public:
   /// Throws a configuration error where `preset.hz` is above 50 Hz and no multiple of it.
-  GnssInsModel(const GnssInsPreset& preset, std::uint64_t seed);
+  /// `origin` is the simulated world's.
+  GnssInsModel(const GnssInsPreset& preset, const GeoOrigin& origin, std::uint64_t seed);
   [[nodiscard]] SensorDescription description() const override;
   [[nodiscard]] double hz() const override { return preset_.hz / fixes_a_look_; }
   void observe(const Scene& scene, std::vector<Measurement>& measurements) override;

@@ -157,6 +157,15 @@ GnssInsPreset read_gnss_ins(PresetSection gnss_ins) {
   return preset;
 }
 
+SurveyedTruthPreset read_surveyed_truth(PresetSection truth) {
+  truth.leave("exact");
+  PresetSection surveyed = truth.section("surveyed");
+  const SurveyedTruthPreset preset{surveyed.number("ego_m"), surveyed.number("adjacent_m"),
+                                   surveyed.degrees("heading_deg")};
+  for (const PresetSection& part : {surveyed, truth}) part.finish();
+  return preset;
+}
+
 YAML::Node parse_yaml(std::string_view text, const std::string& place) {
   try {
     return YAML::Load(std::string(text));
@@ -184,7 +193,8 @@ SensorPreset parse_preset(std::string_view text, const std::string& place) {
   preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
   preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
   preset.gnss_ins = read_gnss_ins(file.section("gnss_ins"));
-  for (const char* later : {"conventions", "short_range_radar", "ghosts", "truth"}) file.leave(later);
+  preset.surveyed_truth = read_surveyed_truth(file.section("truth"));
+  for (const char* later : {"conventions", "short_range_radar", "ghosts"}) file.leave(later);
   file.finish();
   return preset;
 }
