@@ -15,7 +15,8 @@
 namespace lanefuse {
 namespace {
 
-std::vector<SurveyedDrive> read_drives(const std::vector<std::filesystem::path>& paths, const GeoOrigin& origin) {
+std::vector<SurveyedDrive> read_drives(const std::vector<std::filesystem::path>& paths,
+                                       const GeoOrigin& origin) {
   Progress progress("reading");
   std::vector<SurveyedDrive> drives;
   for (const std::filesystem::path& path : paths) {
@@ -27,7 +28,8 @@ std::vector<SurveyedDrive> read_drives(const std::vector<std::filesystem::path>&
 
 void check_chart(const std::optional<std::filesystem::path>& chart, bool force, bool has_truth) {
   if (!chart) return;
-  if (!has_truth) throw configuration_error("--chart", "there is nothing to compare with", "say --against, too");
+  if (!has_truth)
+    throw configuration_error("--chart", "there is nothing to compare with", "say --against, too");
   check_output(*chart, force);
 }
 
@@ -39,7 +41,8 @@ void write_chart(const std::optional<std::filesystem::path>& chart, const MapCom
 
 int map_build(const MapBuildOptions& options) {
   check_map_ending(options.output);
-  for (const std::filesystem::path& drive : options.drives) check_output(options.output, options.force, drive);
+  for (const std::filesystem::path& drive : options.drives)
+    check_output(options.output, options.force, drive);
   check_chart(options.chart, options.force, options.against.has_value());
   std::optional<RoadMap> truth;
   if (options.against) truth = read_map_or_exact(*options.against);

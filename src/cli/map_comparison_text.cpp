@@ -61,19 +61,20 @@ nlohmann::ordered_json to_json(const MapComparison& comparison) {
 }
 
 std::string to_table(const MapComparison& comparison) {
-  std::string table = fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8}  {}\n", "boundary", "points", "mean m",
-                                  "RMSE m", "p95 m", "max m", "covered");
+  std::string table = fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8}  {}\n", "boundary", "points",
+                                  "mean m", "RMSE m", "p95 m", "max m", "covered");
   for (const BoundaryComparison& boundary : comparison.boundaries) {
     table += row(std::to_string(boundary.id), boundary.deviation,
                  fmt::format("{:.0f} of {:.0f} m", boundary.covered, boundary.length));
   }
   table += row("all", comparison.all, fmt::format("{:.1f} %", 100 * comparison.covered_share));
-  if (comparison.strays > 0) table += fmt::format("{} points lie along no true boundary\n", comparison.strays);
+  if (comparison.strays > 0)
+    table += fmt::format("{} points lie along no true boundary\n", comparison.strays);
   return table;
 }
 
 std::string to_chart(const MapComparison& comparison) {
-  constexpr std::array kColours{"c1", "c2", "c3", "c4"};
+  constexpr std::array kColours{"series-0", "series-1", "series-4", "series-2", "series-5", "series-3"};
   Chart chart{"Surveyed lines against the exact road", {}, {}, {}};
   double longest = 0;
   double largest = 1;

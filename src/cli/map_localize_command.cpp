@@ -101,11 +101,13 @@ void judge(const std::vector<MapPose>& poses, const std::map<Time, Pose2>& actua
 }
 
 std::string to_csv(const std::vector<MapPose>& poses) {
-  std::string text = "time_ns,x_m,y_m,heading_rad,sigma_across_m,lane,lane_number,fix_x_m,fix_y_m,fix_heading_rad\n";
+  std::string text =
+      "time_ns,x_m,y_m,heading_rad,sigma_across_m,lane,lane_number,fix_x_m,fix_y_m,fix_heading_rad\n";
   for (const MapPose& pose : poses) {
-    text += fmt::format("{},{:.4f},{:.4f},{:.6f},{:.4f},{},{},{:.4f},{:.4f},{:.6f}\n", to_nanoseconds(pose.time),
-                        pose.by_map.x, pose.by_map.y, pose.by_map.heading, pose.sigma, pose.lane.value_or(0),
-                        pose.lane_number, pose.by_fixes.x, pose.by_fixes.y, pose.by_fixes.heading);
+    text +=
+        fmt::format("{},{:.4f},{:.4f},{:.6f},{:.4f},{},{},{:.4f},{:.4f},{:.6f}\n", to_nanoseconds(pose.time),
+                    pose.by_map.x, pose.by_map.y, pose.by_map.heading, pose.sigma, pose.lane.value_or(0),
+                    pose.lane_number, pose.by_fixes.x, pose.by_fixes.y, pose.by_fixes.heading);
   }
   return text;
 }
@@ -113,9 +115,10 @@ std::string to_csv(const std::vector<MapPose>& poses) {
 nlohmann::ordered_json to_json(const Summary& summary) {
   nlohmann::ordered_json lanes = nlohmann::ordered_json::object();
   for (const auto& [number, count] : summary.lanes) lanes[std::to_string(number)] = count;
-  nlohmann::ordered_json json{{"poses", summary.poses},
-                              {"lanes", lanes},
-                              {"residual_m", {{"left", summary.left.json()}, {"right", summary.right.json()}}}};
+  nlohmann::ordered_json json{
+      {"poses", summary.poses},
+      {"lanes", lanes},
+      {"residual_m", {{"left", summary.left.json()}, {"right", summary.right.json()}}}};
   if (summary.by_fixes) {
     json["error"] = {{"by_fixes", summary.by_fixes->json()}, {"by_map", summary.by_map->json()}};
   }
@@ -144,7 +147,8 @@ std::string to_text(const Summary& summary) {
 
 int map_localize(const MapLocalizeOptions& options) {
   if (options.output) {
-    for (const auto& input : {options.drive, options.map}) check_output(*options.output, options.force, input);
+    for (const auto& input : {options.drive, options.map})
+      check_output(*options.output, options.force, input);
   }
   const RoadMap map = read_map(options.map);
   if (!map.origin) {
@@ -157,7 +161,8 @@ int map_localize(const MapLocalizeOptions& options) {
   Summary summary = summarise(poses);
   std::map<Time, Pose2> actual;
   const std::optional<GeoOrigin> origin = DriveReader(options.drive).info().origin;
-  for (const TrueFrame& frame : frames) actual[frame.time] = moved(frame.world_from_vehicle, origin, *map.origin);
+  for (const TrueFrame& frame : frames)
+    actual[frame.time] = moved(frame.world_from_vehicle, origin, *map.origin);
   judge(poses, actual, summary);
   if (options.output) write_text(*options.output, to_csv(poses));
   fmt::print("{}", options.json ? to_json(summary).dump() + "\n" : to_text(summary));

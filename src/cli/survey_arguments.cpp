@@ -24,7 +24,8 @@ void add_compare(CLI::App& map, CommandLine& line) {
   auto& options = line.make<MapCompareOptions>();
   CLI::App& command = *map.add_subcommand("compare", "say how far a map's lines lie from the true ones");
   command.add_option("map", options.map, "the map (.xodr, .osm, .xml, .geojson)")->required();
-  command.add_option("--truth", options.truth, "another map, or a drive with its exact road (.mcap)")->required();
+  command.add_option("--truth", options.truth, "another map, or a drive with its exact road (.mcap)")
+      ->required();
   command.add_option("--chart", options.chart, kChart);
   finish(command, line, options, map_compare);
 }

@@ -26,7 +26,8 @@ GeoOrigin survey_origin(const std::filesystem::path& drive) {
   if (reader.info().origin) return *reader.info().origin;
   for (Measurement measurement; reader.next(measurement);) {
     const auto* fix = std::get_if<GnssInsFix>(&measurement);
-    if (fix && !implausible(measurement)) return {fix->latitude / kDegree, fix->longitude / kDegree, fix->height};
+    if (fix && !implausible(measurement))
+      return {fix->latitude / kDegree, fix->longitude / kDegree, fix->height};
   }
   throw input_error(drive.string(), "holds no GNSS/INS fixes", "a survey needs drives with /in/gnss_ins");
 }

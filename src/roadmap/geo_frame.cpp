@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "roadmap/geo_frame.hpp"
 
-#include <numbers>
-
 #include <GeographicLib/Constants.hpp>
+#include <numbers>
 
 namespace lanefuse {
 

@@ -16,14 +16,16 @@ constexpr std::array kDistances{2.0, 14.0};  ///< [m] ahead, where markings are 
 constexpr double kSameLine = 0.7;            ///< [m]
 constexpr double kBeside = 15;               ///< [m] to a lane's boundaries
 
-using State = Gaussian<3>;  ///< how far the track is off to the right, its heading to the right, camera to the left
+using State =
+    Gaussian<3>;  ///< how far the track is off to the right, its heading to the right, camera to the left
 
 class Localiser {
  public:
   Localiser(const RoadMap& map, const LocaliserConfig& config) : map_(map), config_(config) {
     for (const MapBoundary& boundary : map.boundaries) locators_.emplace_back(boundary);
-    state_.covariance =
-        Eigen::Vector3d(config.position_sigma, config.heading_sigma, config.yaw_sigma).cwiseAbs2().asDiagonal();
+    state_.covariance = Eigen::Vector3d(config.position_sigma, config.heading_sigma, config.yaw_sigma)
+                            .cwiseAbs2()
+                            .asDiagonal();
   }
 
   void advance(Time to) {
@@ -54,8 +56,9 @@ class Localiser {
   }
 
   MapPose pose(Time time, const Pose2& by_fixes) {
-    MapPose pose{time, by_fixes, by_fixes * Pose2{0, state_.mean[0], state_.mean[1]}, {}, 0,
-                 std::sqrt(state_.covariance(0, 0)), left_, right_};
+    MapPose pose{time,  by_fixes, by_fixes * Pose2{0, state_.mean[0], state_.mean[1]},
+                 {},    0,        std::sqrt(state_.covariance(0, 0)),
+                 left_, right_};
     find_lane(pose);
     return pose;
   }

@@ -60,9 +60,8 @@ TrafficConfig traffic_of(const SimulationConfig& config, const SensorPreset& pre
 DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPreset& preset)
     : config_(config),
       preset_(preset),
-      drive_road_(std::make_unique<DriveRoad>(
-          drive_road(config.scenario, config.road, config.km, preset.road,
-                     config.road_seed.value_or(config.seed)))),
+      drive_road_(std::make_unique<DriveRoad>(drive_road(config.scenario, config.road, config.km, preset.road,
+                                                         config.road_seed.value_or(config.seed)))),
       traffic_(drive_road_->road, traffic_of(config, preset, *drive_road_), drive_road_->start, config.seed) {
   add_sensors();
   ticks_a_period(preset.fusion_hz, "fusion");
