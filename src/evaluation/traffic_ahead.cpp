@@ -23,7 +23,7 @@ TrafficAhead traffic_ahead(const TrueFrame& frame, const TrueRoles& truth) {
   TrafficAhead ahead;
   for (const TrueObject& object : frame.objects) {
     const Eigen::Vector2d rear = vehicle_from_world * object.world_from_object.position();
-    if (rear.x() <= 0 || rear.x() > kTrafficReach) continue;
+    if (rear.x() <= 0 || rear.x() > kAheadReach) continue;
     const bool on_ego_lane = is_between(rear, truth[kEgoLeft], truth[kEgoRight]);
     if (on_ego_lane) ahead.gap = std::min(ahead.gap.value_or(rear.x()), rear.x());
     if (on_ego_lane || is_between(rear, truth[kAdjacentLeft], truth[kEgoLeft]) ||

@@ -12,9 +12,9 @@
 
 namespace lanefuse {
 
-/// The true traffic that can help or hide: vehicles whose rear is within kTrafficReach ahead of the car's
+/// The true traffic that can help or hide: vehicles whose rear is within kAheadReach ahead of the car's
 /// origin, by the lane that the middle of their rear is in.
-inline constexpr double kTrafficReach = 150;  ///< [m]
+inline constexpr double kAheadReach = 150;  ///< [m]
 struct TrafficAhead {
   int vehicles = 0;           ///< on the ego lane and its neighbours
   std::optional<double> gap;  ///< [m] along x to the next one on the ego lane
