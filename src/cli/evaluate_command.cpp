@@ -12,6 +12,8 @@
 #include "drawing/report.hpp"
 #include "evaluation/evaluation_json.hpp"
 #include "evaluation/true_frames.hpp"
+#include "roadmap/map_files.hpp"
+#include "roadmap/road_map.hpp"
 
 namespace lanefuse {
 namespace {
@@ -50,22 +52,30 @@ std::optional<std::filesystem::path> report_path(const EvaluateOptions& options)
   return std::nullopt;
 }
 
-}  // namespace
-
-int evaluate(const EvaluateOptions& options) {
-  const auto report_file = report_path(options);
-  const LanesReader lanes(options.lanes);
-  const LanesAndTruth context = find_truth(options.lanes, options.drive);
+/// The drive's truth, with the road that was asked for in it.
+LanesAndTruth truth_for(const EvaluateOptions& options) {
+  LanesAndTruth context = find_truth(options.lanes, options.drive);
   if (!context.truth) {
     throw configuration_error(options.lanes.string(),
                               "the drive that these lanes came from is not to be found",
                               "name it with --drive");
   }
-  if (report_file) check_output(*report_file, true, context.drive);
   refuse_damage(context.drive, context.truth->report);
   if (context.truth->frames.empty()) {
     throw input_error(options.lanes.string(), "its drive holds no truth (/truth/frame)");
   }
+  if (options.map) context.truth->road = true_road(read_map(*options.map));
+  return context;
+}
+
+}  // namespace
+
+int evaluate(const EvaluateOptions& options) {
+  const auto report_file = report_path(options);
+  const LanesReader lanes(options.lanes);
+  const LanesAndTruth context = truth_for(options);
+  if (report_file) check_output(*report_file, true, context.drive);
+  if (report_file && options.map) check_output(*report_file, true, *options.map);
   Judged judged = judge_lanes(options, context);
   EvaluationResult& result = judged.result;
   result.drive = lanes.drive();

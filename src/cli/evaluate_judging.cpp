@@ -92,6 +92,18 @@ Judged judge_by_drive(const EvaluateOptions& options, const LanesAndTruth& conte
   return judge_by_road(options, context, *context.truth->road);
 }
 
+Judged judge_by_map(const EvaluateOptions& options, const LanesAndTruth& context) {
+  Judged judged = judge_by_road(options, context, *context.truth->road);
+  judged.result.truth = "map";
+  if (judged.result.cycles_with_truth == 0) {
+    throw input_error(
+        options.map->string(), "the car is in none of its lanes at any time",
+        "a map must be in the frame of the drive's true poses, and its lanes in the direction of "
+        "driving");
+  }
+  return judged;
+}
+
 Judged judge_by_path(const EvaluateOptions& options, const LanesAndTruth& context) {
   EgoPathEvaluation evaluation(context.truth->frames);
   Judged judged;
@@ -109,6 +121,7 @@ void refuse_damage(const std::filesystem::path& file, const ReadReport& report) 
 }
 
 Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context) {
+  if (options.map) return judge_by_map(options, context);
   return options.truth == "ego-path" ? judge_by_path(options, context) : judge_by_drive(options, context);
 }
 

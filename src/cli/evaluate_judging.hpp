@@ -19,7 +19,7 @@ struct Judged {
 };
 
 /// Reads the lanes once and judges every cycle by the truth that was asked for. Throws Error (input) where
-/// the lanes or the drive are damaged, or hold no truth of that kind.
+/// the lanes or the drive are damaged, or hold no truth of that kind. With a map, its road is in `context`.
 Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context);
 
 /// Throws Error (input) where a file could not be read to its end.

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lanes are judged by exact and by surveyed truth, with and without the serial camera beside them."""
 
+import os
+import subprocess
+
 import program
 
 DISTANCES = [10.0 * i for i in range(13)]
@@ -65,6 +68,34 @@ class Evaluate(program.ProgramTest):
             self.assertEqual(columns[2][0], "0" + ego)
             self.assertEqual(columns[4][0], "0" + adjacent)
             self.assertEqual(len(columns[1]), 6)
+
+    def make_map(self, name, metres):
+        subprocess.run([os.environ["DRIVE_MAP"], "drive.mcap", str(metres), name], cwd=self.folder, check=True)
+
+    def test_a_map_of_the_road_judges_as_the_road_does(self):
+        self.make_map("road.xodr", 0)
+        judged = self.succeed("evaluate", "lanes.mcap", "--map", "road.xodr", "--force")
+        self.assertEqual(judged["truth"], "map")
+        self.assertGreater(judged["cycles_with_truth"], 0.95 * self.exact["cycles_with_truth"])
+        for lane in ("ego", "adjacent"):
+            for ours, exact in zip(judged["lanes"][lane][:7], self.exact["lanes"][lane][:7]):
+                self.assertAlmostEqual(ours["rmse_m"], exact["rmse_m"], delta=0.02)
+
+    def test_a_map_that_is_off_shows_in_every_deviation(self):
+        self.make_map("off.geojson", 0.5)
+        judged = self.succeed("evaluate", "lanes.mcap", "--map", "off.geojson", "--force")
+        self.assertGreater(abs(judged["lanes"]["ego"][2]["mean_m"] - self.exact["lanes"]["ego"][2]["mean_m"]), 0.2)
+
+    def test_a_map_of_elsewhere_is_refused(self):
+        self.make_map("elsewhere.xodr", 5000)
+        self.refuse(3, "evaluate", "lanes.mcap", "--map", "elsewhere.xodr", "-o", "elsewhere.html",
+                    naming="elsewhere.xodr: the car is in none of its lanes")
+
+    def test_either_truth_or_map_is_named(self):
+        self.refuse(2, "evaluate", "lanes.mcap", naming="--truth or --map")
+        self.refuse(2, "evaluate", "lanes.mcap", "--truth", "exact", "--map", "road.xodr", naming="--map")
+        self.refuse(2, "evaluate", "lanes.mcap", "--truth", "ego-path", "--baseline", "serial-camera",
+                    naming="--baseline")
 
     def test_a_drive_without_serial_camera_has_no_such_baseline(self):
         self.simulate("blind.mcap", 0.1, "--no-serial-camera")
