@@ -5,12 +5,10 @@
 #include <memory>
 
 #include "cli/command_line.hpp"
-#include "cli/evaluate_command.hpp"
 #include "cli/graph_command.hpp"
 #include "cli/import_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/run_command.hpp"
-#include "cli/simulate_command.hpp"
 #include "cli/strip_command.hpp"
 
 namespace lanefuse {
@@ -23,36 +21,6 @@ constexpr const char* kDescription =
     "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
     "  lanefuse run drive.mcap -o lanes.mcap\n"
     "  lanefuse evaluate lanes.mcap --truth exact";
-
-void add_simulate(CommandLine& line) {
-  auto& options = line.make<SimulateOptions>();
-  SimulationConfig& config = options.simulation;
-  CLI::App& command =
-      *line.app.add_subcommand("simulate", "simulate a drive on a motorway, with exact truth");
-  command.add_option("--seed", config.seed, "the same seed gives the same bytes")
-      ->capture_default_str()
-      ->check(not_negative);
-  command.add_option("--km", config.km, "length of the drive [km]")
-      ->capture_default_str()
-      ->check(CLI::Range(0.05, 1000.0));
-  const auto set_road = [&config](const std::string& name) {
-    config.road = name == "curved" ? RoadKind::curved : RoadKind::gentle;
-  };
-  command
-      .add_option_function<std::string>("--road", set_road,
-                                        "curves of the road: gentle (radii 1.8-8 km) or curved (0.6-5 km)")
-      ->check(CLI::IsMember({"gentle", "curved"}))
-      ->default_str("gentle");
-  const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
-    command.add_flag_callback(
-        flag, [&sensor] { sensor = false; }, "leave out the " + what);
-  };
-  leave_out("--no-serial-camera", config.serial_camera, "serial camera");
-  leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
-  leave_out("--no-objects", config.objects, "object lists");
-  command.add_option("-o,--output", options.output, "the recording to write (.mcap)")->required();
-  finish(command, line, options, simulate);
-}
 
 void add_import(CommandLine& line) {
   auto& options = line.make<ImportOptions>();
@@ -87,20 +55,6 @@ void add_run(CommandLine& line) {
     }
     line.action = [&options] { return run(options); };
   });
-}
-
-void add_evaluate(CommandLine& line) {
-  auto& options = line.make<EvaluateOptions>();
-  CLI::App& command =
-      *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
-  command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command
-      .add_option("--truth", options.truth, "exact: the simulated road; ego-path: where the car went later")
-      ->required()
-      ->check(CLI::IsMember({"exact", "ego-path"}));
-  command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
-  command.add_option("-o,--report", options.report, "the report to write, else report.html beside the lanes");
-  finish(command, line, options, evaluate);
 }
 
 void add_plot(CommandLine& line) {
@@ -163,6 +117,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_plot(*line);
   add_strip(*line);
   add_graph(*line);
+  add_benchmark(*line);
   add_map(*line);
   try {
     line->app.parse(argc, argv);

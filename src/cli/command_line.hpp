@@ -44,7 +44,10 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
   });
 }
 
-/// The group `map` (map_arguments.cpp).
+/// Subcommands that have a file of their own.
+void add_benchmark(CommandLine& line);
+void add_evaluate(CommandLine& line);
 void add_map(CommandLine& line);
+void add_simulate(CommandLine& line);
 
 }  // namespace lanefuse

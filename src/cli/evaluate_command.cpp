@@ -3,93 +3,19 @@
 #include "cli/evaluate_command.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "cli/evaluate_judging.hpp"
 #include "cli/evaluation_text.hpp"
-#include "cli/lanes_and_truth.hpp"
 #include "cli/output_file.hpp"
-#include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "drawing/report.hpp"
-#include "evaluation/ego_path.hpp"
-#include "evaluation/exact_truth.hpp"
-#include "evaluation/true_frames.hpp"
+#include "evaluation/evaluation_json.hpp"
 
 namespace lanefuse {
 namespace {
-
-/// The cycles that the report shows: spread over the drive, and the one with the most switched-off edges.
-struct Highlights {
-  std::vector<Time> times;
-  Time most_switched{};
-  std::size_t most_switched_count = 0;
-
-  void add(const LaneRecord& record) {
-    times.push_back(record.estimate.time);
-    const auto off =
-        static_cast<std::size_t>(std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
-                                               [](const SwitchState& s) { return s.value < 0.5; }));
-    if (off <= most_switched_count) return;
-    most_switched_count = off;
-    most_switched = record.estimate.time;
-  }
-
-  [[nodiscard]] std::vector<Time> chosen() const {
-    std::vector<Time> moments;
-    for (const double share : {0.1, 0.5, 0.9}) {
-      if (!times.empty())
-        moments.push_back(times[static_cast<std::size_t>(share * static_cast<double>(times.size()))]);
-    }
-    if (most_switched_count > 0) moments.push_back(most_switched);
-    std::sort(moments.begin(), moments.end());
-    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
-    return moments;
-  }
-};
-
-void refuse_damage(const std::filesystem::path& file, const ReadReport& report) {
-  if (!report.complete()) throw input_error(file.string(), "damaged: " + report.first_problem);
-}
-
-template <typename Judge>
-Highlights judge_all(const EvaluateOptions& options, Judge&& judge) {
-  Highlights highlights;
-  Progress progress("evaluating");
-  LanesReader reader(options.lanes);
-  LaneRecord record;
-  while (reader.next(record)) {
-    highlights.add(record);
-    judge(record.estimate);
-    progress.show_seconds(to_seconds(record.estimate.time - highlights.times.front()));
-  }
-  refuse_damage(options.lanes, reader.report());
-  if (highlights.times.empty()) throw input_error(options.lanes.string(), "holds no cycle");
-  return highlights;
-}
-
-EvaluationResult judge_exact(const EvaluateOptions& options, const DriveTruth& truth,
-                             Highlights& highlights) {
-  if (!truth.road) {
-    throw input_error(options.lanes.string(), "its drive has no exact truth (/truth/road)",
-                      "try --truth ego-path");
-  }
-  ExactTruthEvaluation evaluation(*truth.road);
-  highlights = judge_all(options, [&](const LaneEstimate& estimate) {
-    const auto frame = frame_at(truth.frames, estimate.time);
-    frame ? evaluation.add(estimate, *frame) : evaluation.add_without_truth(estimate);
-  });
-  return evaluation.result();
-}
-
-EvaluationResult judge_ego_path(const EvaluateOptions& options, const DriveTruth& truth,
-                                Highlights& highlights) {
-  EgoPathEvaluation evaluation(truth.frames);
-  highlights = judge_all(
-      options, [&](const LaneEstimate& estimate) { evaluation.add(estimate, estimate.witnesses > 0); });
-  return evaluation.result();
-}
 
 std::vector<Moment> picture(const EvaluateOptions& options, const LanesAndTruth& context,
                             const Highlights& highlights) {
@@ -141,20 +67,19 @@ int evaluate(const EvaluateOptions& options) {
   if (context.truth->frames.empty()) {
     throw input_error(options.lanes.string(), "its drive holds no truth (/truth/frame)");
   }
-  Highlights highlights;
-  EvaluationResult result = options.truth == "exact" ? judge_exact(options, *context.truth, highlights)
-                                                     : judge_ego_path(options, *context.truth, highlights);
+  Judged judged = judge_lanes(options, context);
+  EvaluationResult& result = judged.result;
   result.drive = lanes.drive();
   result.drive.witness = lanes.run().witness;
 
   if (report_file) {
-    Report report{"Lanes of " + result.drive.name, result, {}, picture(options, context, highlights)};
+    Report report{"Lanes of " + result.drive.name, result, {}, picture(options, context, judged.highlights)};
     if (context.sidecar) report.run = context.sidecar->figures;
     write_text(*report_file, write_report(report));
     fmt::print(stderr, "report: {}\n", report_file->string());
   }
   if (options.json) {
-    fmt::print("{}\n", to_json(result));
+    fmt::print("{}\n", to_json(result).dump());
   } else {
     fmt::print("{}", to_table(result));
   }

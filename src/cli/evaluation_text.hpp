@@ -8,11 +8,8 @@
 
 namespace lanefuse {
 
-/// The result as one line of JSON: `lanes{ego[],adjacent[]}`, `baselines{straight[],arc[]}` and the counts.
-/// What is not known is null.
-std::string to_json(const EvaluationResult& result);
-
-/// The same as a table for a terminal, with Table I's columns.
+/// The result as a table for a terminal: against a road, Table I's rows and columns with the paper's RMSE and
+/// the ratio to it beside.
 std::string to_table(const EvaluationResult& result);
 
 }  // namespace lanefuse

@@ -17,11 +17,12 @@ Progress::~Progress() {
   if (!drawn_.empty()) fmt::print(stderr, "\r{:{}}\r", "", drawn_.size());
 }
 
-void Progress::show(double fraction) {
+void Progress::show(double fraction, const std::string& note) {
   if (!visible_) return;
   constexpr int kWidth = 40;
   const int full = static_cast<int>(kWidth * std::clamp(fraction, 0.0, 1.0));
-  draw(fmt::format("{} [{:=<{}}{:{}}] {:3.0f} %", what_, "", full, "", kWidth - full, 100 * fraction));
+  draw(fmt::format("{} [{:=<{}}{:{}}] {:3.0f} %  {}", what_, "", full, "", kWidth - full, 100 * fraction,
+                   note));
 }
 
 void Progress::show_seconds(double seconds) {
@@ -30,7 +31,7 @@ void Progress::show_seconds(double seconds) {
 
 void Progress::draw(const std::string& text) {
   if (text == drawn_) return;
-  fmt::print(stderr, "\r{}", text);
+  fmt::print(stderr, "\r{:{}}", text, drawn_.size());
   std::fflush(stderr);
   drawn_ = text;
 }

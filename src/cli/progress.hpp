@@ -14,8 +14,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// With a bar, `fraction` in [0, 1].
-  void show(double fraction);
+  /// With a bar, `fraction` in [0, 1], and a note behind it.
+  void show(double fraction, const std::string& note = {});
   /// Where the end is not known: seconds of the drive so far.
   void show_seconds(double seconds);
 

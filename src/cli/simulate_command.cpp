@@ -7,13 +7,48 @@
 
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "core/error.hpp"
 #include "recording/drive_writer.hpp"
 
 namespace lanefuse {
 
+namespace {
+
+int list_scenarios(bool json) {
+  auto list = nlohmann::ordered_json::array();
+  for (const std::string& name : built_in_scenario_names()) {
+    const Scenario scenario = built_in_scenario(name);
+    list.push_back({{"name", name}, {"about", scenario.about}});
+    if (!json) fmt::print("{:24} {}\n", name, scenario.about);
+  }
+  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"scenarios", list}}.dump());
+  return 0;
+}
+
+RoadKind road_kind(const std::string& word) {
+  if (word == to_string(RoadKind::curved)) return RoadKind::curved;
+  return word == to_string(RoadKind::sharp) ? RoadKind::sharp : RoadKind::gentle;
+}
+
+SimulationConfig configuration(const SimulateOptions& options) {
+  SimulationConfig config = options.simulation;
+  if (!options.scenario.empty()) config.scenario = find_scenario(options.scenario);
+  const Scenario::RoadPart& road = config.scenario.road;
+  if (!options.road.empty() && (road.course || road.map)) {
+    throw configuration_error("--road",
+                              fmt::format("scenario {} has a road of its own", config.scenario.name));
+  }
+  config.road = road_kind(options.road);
+  return config;
+}
+
+}  // namespace
+
 int simulate(const SimulateOptions& options) {
+  if (options.list_scenarios) return list_scenarios(options.json);
+  if (options.output.empty()) throw configuration_error("simulate", "--output is required");
   check_output(options.output, options.force);
-  DriveSimulation simulation(options.simulation, nominal_preset());
+  DriveSimulation simulation(configuration(options), nominal_preset());
   DriveWriter writer(options.output, simulation.info(), simulation.rig());
   writer.write(simulation.road(), kSimulationStart);
 
@@ -40,6 +75,7 @@ int simulate(const SimulateOptions& options) {
     fmt::print("{}\n", nlohmann::ordered_json{{"drive", info.name},
                                               {"output", options.output.string()},
                                               {"km", options.simulation.km},
+                                              {"scenario", simulation.scenario().name},
                                               {"duration_s", duration},
                                               {"measurements", measurement_count},
                                               {"preset_hash", info.preset_hash}}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "simulation/drive_simulation.hpp"
 
@@ -11,6 +12,9 @@ namespace lanefuse {
 /// `lanefuse simulate`: records a simulated drive with exact truth.
 struct SimulateOptions {
   SimulationConfig simulation;
+  std::string road;      ///< the word for it; empty: as the scenario says, else gentle
+  std::string scenario;  ///< a name or a file; empty: the nominal one
+  bool list_scenarios = false;
   std::filesystem::path output;
   bool json = false;
   bool force = false;

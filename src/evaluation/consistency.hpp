@@ -10,7 +10,7 @@
 
 namespace lanefuse {
 
-/// Gathers (deviation / sigma)^2 by distance.
+/// Gathers (deviation / sigma)^2 by distance, and how often it lies inside the intervals of a normal error.
 class ConsistencyByDistance {
  public:
   /// A sigma of zero claims nothing that could be judged, and is passed over.
@@ -22,6 +22,7 @@ class ConsistencyByDistance {
   struct Sum {
     double squares = 0;
     std::uint64_t count = 0;
+    std::array<std::uint64_t, 3> within{};  // the intervals of 68, 95 and 99 %
   };
   std::array<Sum, kDistanceCount> at_{};
 };

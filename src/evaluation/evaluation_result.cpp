@@ -22,4 +22,21 @@ double false_boundaries_per_cycle(const EvaluationResult& result) {
   return ratio(result.false_boundaries, result.cycles_with_truth);
 }
 
+double false_lanes_per_cycle(const EvaluationResult& result) {
+  return ratio(result.false_lanes, result.cycles_with_truth);
+}
+
+double mean_normalised_square(const LaneConsistency& consistency) {
+  double sum = 0;
+  std::uint64_t count = 0;
+  for (const auto* lanes : {&consistency.ego, &consistency.adjacent}) {
+    for (const ConsistencyStatistics& at : *lanes) {
+      if (at.n == 0) continue;
+      sum += at.mean_normalised_square * static_cast<double>(at.n);
+      count += at.n;
+    }
+  }
+  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(count);
+}
+
 }  // namespace lanefuse

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evaluation/deviation.hpp"
+#include "evaluation/surveyed_truth.hpp"
 #include "sensors/drive.hpp"
 
 namespace lanefuse {
@@ -18,6 +19,11 @@ struct ConsistencyStatistics {
   double distance_m = 0;
   double mean_normalised_square = 0;  ///< NaN where n is 0
   std::uint64_t n = 0;                ///< deviations that came with a sigma above zero
+  /// Share of the deviations inside the interval that should hold 68, 95 and 99 % of them, were they normal
+  /// with the stated sigma; NaN where n is 0.
+  double within_68 = 0;
+  double within_95 = 0;
+  double within_99 = 0;
 };
 
 /// How often the estimate reached a distance, of the cycles that are asked about.
@@ -49,22 +55,42 @@ struct BaselineStatistics {
   std::vector<DeviationStatistics> arc_where_available;
 };
 
+/// The cycles in which a condition (how many vehicles, how far the next one) lay in [from, to).
+struct ConditionStatistics {
+  double from = 0;
+  double to = 0;  ///< may be infinite
+  std::uint64_t cycles = 0;
+  LaneStatistics lanes;
+};
+
+/// The serial camera's own ego lane, judged by the same rules in the same cycles as the estimate.
+struct SerialCameraStatistics {
+  std::vector<DeviationStatistics> extrapolated;  ///< its clothoids followed as far as lanes are judged
+  std::vector<DeviationStatistics> within_range;  ///< only as far as the camera itself vouches for them
+};
+
 /// All that the evaluation of one drive says.
 struct EvaluationResult {
-  std::string truth;  ///< "exact" or "ego-path"
+  std::string truth;  ///< "exact", "surveyed", "map" or "ego-path"
   DriveInfo drive;    ///< filled by whoever knows the drive
   LaneStatistics lanes;
   std::uint64_t cycles = 0;
   std::uint64_t cycles_ok = 0;          ///< with status OK
   std::uint64_t cycles_with_truth = 0;  ///< in which the true ego lane, or the path, was known
 
-  /// Only against exact truth.
+  /// Everything from here on only against a road: exact, surveyed or a map.
+  std::optional<SurveyedTruthConfig> surveyed;  ///< the errors that were laid on the truth
   LaneConsistency consistency;
   std::uint64_t cycles_with_ego_lane = 0;  ///< of those with truth: in which the estimate had an ego lane
   std::uint64_t cycles_in_wrong_lane =
       0;  ///< of those: a boundary of it was nearer to another true one than to its own
   std::uint64_t false_boundaries =
       0;  ///< estimated ones more than 1 m from every true one, summed over the cycles
+  std::uint64_t false_lanes = 0;  ///< estimated ones that are none, summed over the cycles: see count_false()
+  std::uint64_t resets = 0;       ///< how often the estimate began anew: see ResetCounter
+  std::vector<ConditionStatistics> by_vehicles_ahead;  ///< number of vehicles ahead: see TrafficAhead
+  std::vector<ConditionStatistics> by_gap_ahead;       ///< [m] to the next vehicle in the ego lane
+  std::optional<SerialCameraStatistics> serial_camera;
 
   /// Only against the ego path.
   std::optional<BaselineStatistics> baselines;
@@ -74,5 +100,8 @@ struct EvaluationResult {
 /// The rates that a reader asks for; NaN where nothing was judged.
 double wrong_lane_rate(const EvaluationResult& result);
 double false_boundaries_per_cycle(const EvaluationResult& result);
+double false_lanes_per_cycle(const EvaluationResult& result);
+/// The mean of (deviation / sigma)^2 over all distances, ego and adjacent lanes.
+double mean_normalised_square(const LaneConsistency& consistency);
 
 }  // namespace lanefuse

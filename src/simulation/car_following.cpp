@@ -8,10 +8,12 @@
 namespace lanefuse {
 namespace {
 constexpr double kFullBraking = -8;  ///< [m/s^2]
-}
+constexpr double kStandstill = 0.2;  ///< [m/s] a slower wish is one to stand
+}  // namespace
 
 double CarFollowing::free(double speed) const {
-  return acceleration * (1 - std::pow(speed / wished_speed, 4));
+  if (wished_speed < kStandstill) return speed > 0 ? -comfortable_braking : 0;
+  return std::max(-comfortable_braking, acceleration * (1 - std::pow(speed / wished_speed, 4)));
 }
 
 double CarFollowing::behind(double speed, double gap, double leader_speed) const {

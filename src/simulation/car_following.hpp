@@ -12,7 +12,7 @@ struct CarFollowing {
   double headway = 1.2;            ///< [s]
   double standstill_gap = 3;       ///< [m]
 
-  /// The acceleration [m/s^2] on a free road.
+  /// The acceleration [m/s^2] on a free road; who is too fast slows down in comfort.
   [[nodiscard]] double free(double speed) const;
   /// The acceleration [m/s^2] behind a leader: `gap` [m] from bumper to bumper.
   [[nodiscard]] double behind(double speed, double gap, double leader_speed) const;

@@ -17,17 +17,6 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kLeadIn = 400;   ///< [m] of road behind the start, for those who follow
-constexpr double kLeadOut = 600;  ///< [m] of road beyond the end, for those ahead and for what sensors see
-
-double checked_length(double km) {
-  if (!(km > 0 && km <= 1000)) {
-    throw configuration_error("simulation", fmt::format("{} km is no length of a drive", km),
-                              "choose up to 1000 km");
-  }
-  return km * 1000;
-}
-
 std::int64_t ticks_a_period(double hz, const char* what) {
   const double ticks = 1 / (hz * to_seconds(kTick));
   const double whole = std::round(ticks);
@@ -54,9 +43,9 @@ TrueFrame true_frame(const Scene& scene) {
 DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPreset& preset)
     : config_(config),
       preset_(preset),
-      road_(std::make_unique<Road>(config.road, kLeadIn + checked_length(config.km) + kLeadOut, preset.road,
-                                   config.seed)),
-      traffic_(*road_, preset, kLeadIn, config.seed) {
+      drive_road_(std::make_unique<DriveRoad>(
+          drive_road(config.scenario, config.road, config.km, preset.road, config.seed))),
+      traffic_(drive_road_->road, traffic_config(config.scenario, preset), drive_road_->start, config.seed) {
   add_sensors();
   ticks_a_period(preset.fusion_hz, "fusion");
   for (const auto& sensor : sensors_) ticks_a_period(sensor->hz(), sensor->description().name.c_str());
@@ -64,11 +53,30 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
 
 void DriveSimulation::add_sensors() {
   const std::uint64_t seed = config_.seed;
-  sensors_.push_back(std::make_unique<OdometryModel>(preset_.odometry, seed));
-  if (config_.serial_camera) sensors_.push_back(std::make_unique<SerialCameraModel>(preset_, seed));
-  if (config_.high_resolution_camera)
-    sensors_.push_back(std::make_unique<HighResolutionCameraModel>(preset_, seed));
-  if (config_.objects) sensors_.push_back(std::make_unique<ObjectListModel>(preset_, seed));
+  const Scenario::SensorsPart& there = config_.scenario.sensors;
+  add_sensor(std::make_unique<OdometryModel>(preset_.odometry, seed));
+  if (config_.serial_camera && there.serial_camera) {
+    add_sensor(std::make_unique<SerialCameraModel>(preset_, seed));
+  }
+  if (config_.high_resolution_camera && there.high_resolution_camera) {
+    add_sensor(std::make_unique<HighResolutionCameraModel>(preset_, seed));
+  }
+  if (config_.objects && there.objects) add_sensor(std::make_unique<ObjectListModel>(preset_, seed));
+}
+
+void DriveSimulation::add_sensor(std::unique_ptr<SensorModel> sensor) {
+  std::size_t number = 0;
+  for (const Disturbance& disturbance : config_.scenario.disturbances) {
+    sensor = disturbed(std::move(sensor), disturbance, drive_road_->start, config_.seed, ++number);
+  }
+  sensors_.push_back(std::move(sensor));
+}
+
+RoadMap DriveSimulation::map() const {
+  RoadMap map = road_map(drive_road_->road);
+  map.name = info().name;
+  map.origin = drive_road_->origin;
+  return map;
 }
 
 Rig DriveSimulation::rig() const {
@@ -78,13 +86,14 @@ Rig DriveSimulation::rig() const {
 }
 
 DriveInfo DriveSimulation::info() const {
-  const std::string name =
-      fmt::format("simulated, seed {}, {} km, {}", config_.seed, config_.km, to_string(config_.road));
+  std::string name =
+      fmt::format("simulated, seed {}, {} km, {}", config_.seed, config_.km, drive_road_->name);
+  if (config_.scenario.name != Scenario{}.name) name += fmt::format(", {}", config_.scenario.name);
   return {name, preset_.hash, WitnessRule::radar_and_camera};
 }
 
 double DriveSimulation::progress() const {
-  return std::clamp((traffic_.ego().station - kLeadIn) / (config_.km * 1000), 0.0, 1.0);
+  return std::clamp((traffic_.ego().station - drive_road_->start) / (config_.km * 1000), 0.0, 1.0);
 }
 
 bool DriveSimulation::is_due(double hz) const { return ticks_ % ticks_a_period(hz, "sensor") == 0; }
@@ -111,7 +120,7 @@ bool DriveSimulation::step(std::vector<Measurement>& measurements, std::vector<T
   measurements.clear();
   truth.clear();
   if (over_) return false;
-  const Scene now = scene_at(kSimulationStart + ticks_ * kTick, *road_, traffic_);
+  const Scene now = traffic_.scene(kSimulationStart + ticks_ * kTick);
   measure(now);
   if (is_due(preset_.fusion_hz)) truth.push_back(true_frame(now));
   over_ = progress() >= 1;

@@ -12,20 +12,24 @@
 #include "sensors/measurement.hpp"
 #include "sensors/rig.hpp"
 #include "sensors/truth.hpp"
+#include "simulation/drive_road.hpp"
 #include "simulation/preset.hpp"
+#include "simulation/road_as_map.hpp"
+#include "simulation/scenario.hpp"
 #include "simulation/sensor_model.hpp"
 #include "simulation/traffic.hpp"
 
 namespace lanefuse {
 
 struct SimulationConfig {
-  std::uint64_t seed = 1;  ///< the same seed gives the same bytes
-  double km = 2;           ///< that the ego car drives, in (0, 1000]
-  RoadKind road = RoadKind::gentle;
+  std::uint64_t seed = 1;            ///< the same seed gives the same bytes
+  double km = 2;                     ///< that the ego car drives, in (0, 1000]
+  RoadKind road = RoadKind::gentle;  ///< where the scenario does not say
   /// Odometry is always there. Road, traffic and the other sensors do not change when one is switched off.
   bool serial_camera = true;
   bool high_resolution_camera = true;
   bool objects = true;
+  Scenario scenario;  ///< the nominal one, if nothing is said; what it leaves out is off, too
 };
 
 /// A simulated drive on a motorway, with exact truth. Runs in steps of kTick; nothing but the road grows with
@@ -35,9 +39,12 @@ class DriveSimulation {
   /// Throws a configuration error where the configuration or the preset's rates are impossible.
   DriveSimulation(const SimulationConfig& config, const SensorPreset& preset);
 
+  [[nodiscard]] const Scenario& scenario() const { return config_.scenario; }
   [[nodiscard]] Rig rig() const;
   [[nodiscard]] DriveInfo info() const;
-  [[nodiscard]] TrueRoad road() const { return true_road(*road_); }
+  [[nodiscard]] TrueRoad road() const { return true_road(drive_road_->road); }
+  /// The road as a map of the simulated world.
+  [[nodiscard]] RoadMap map() const;
 
   /// Moves on by one tick, and replaces the contents of `measurements` by what was received in it, in the
   /// order of receiving, and of `truth` by how things were at the preset's fusion rate. False once the drive
@@ -50,7 +57,7 @@ class DriveSimulation {
  private:
   SimulationConfig config_;
   SensorPreset preset_;
-  std::unique_ptr<const Road> road_;  ///< in one place, as traffic and scene refer to it
+  std::unique_ptr<const DriveRoad> drive_road_;  ///< in one place, as traffic and scene refer to it
   std::vector<std::unique_ptr<SensorModel>> sensors_;
   Traffic traffic_;
   std::int64_t ticks_ = 0;
@@ -59,6 +66,7 @@ class DriveSimulation {
   std::multimap<std::pair<Time, std::uint32_t>, Measurement> on_their_way_;
 
   void add_sensors();
+  void add_sensor(std::unique_ptr<SensorModel> sensor);
   void measure(const Scene& now);
   [[nodiscard]] bool is_due(double hz) const;
   void hand_out(Time now, std::vector<Measurement>& measurements);

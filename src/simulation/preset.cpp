@@ -147,6 +147,15 @@ CameraBoxesPreset read_camera_boxes(PresetSection boxes) {
   return {boxes.positive("range_m"), detection.share("near"), detection.share("at_90_m")};
 }
 
+SurveyedTruthPreset read_surveyed_truth(PresetSection truth) {
+  truth.leave("exact");
+  PresetSection surveyed = truth.section("surveyed");
+  const SurveyedTruthPreset preset{surveyed.number("ego_m"), surveyed.number("adjacent_m"),
+                                   surveyed.degrees("heading_deg")};
+  for (const PresetSection& part : {surveyed, truth}) part.finish();
+  return preset;
+}
+
 YAML::Node parse_yaml(std::string_view text, const std::string& place) {
   try {
     return YAML::Load(std::string(text));
@@ -173,8 +182,8 @@ SensorPreset parse_preset(std::string_view text, const std::string& place) {
   preset.object_list = read_object_list(file.section("object_list"));
   preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
   preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
-  for (const char* later : {"conventions", "short_range_radar", "ghosts", "gnss_ins", "truth"})
-    file.leave(later);
+  preset.surveyed_truth = read_surveyed_truth(file.section("truth"));
+  for (const char* later : {"conventions", "short_range_radar", "ghosts", "gnss_ins"}) file.leave(later);
   file.finish();
   return preset;
 }

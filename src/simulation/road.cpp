@@ -3,53 +3,140 @@
 #include "simulation/road.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
-#include "simulation/road_course.hpp"
+#include "simulation/generated_road.hpp"
 
 namespace lanefuse {
+namespace {
 
-const char* to_string(RoadKind kind) { return kind == RoadKind::gentle ? "gentle" : "curved"; }
+const PaintStyle& style_at(const RoadLine& line, double station) {
+  const auto after = std::upper_bound(line.styles.begin() + 1, line.styles.end(), station,
+                                      [](double s, const PaintStyle& style) { return s < style.from; });
+  return *(after - 1);
+}
+
+bool in_dash(const PaintStyle& style, double station) {
+  if (style.gap <= 0) return true;
+  const double period = style.mark + style.gap;
+  const double turns = (station + style.phase) / period;
+  return (turns - std::floor(turns)) * period < style.mark;
+}
+
+bool paint_is_missing(const RoadLine& line, double station) {
+  const auto after = std::upper_bound(line.unpainted.begin(), line.unpainted.end(), station,
+                                      [](double s, const Stretch& stretch) { return s < stretch.begin; });
+  return after != line.unpainted.begin() && (after - 1)->holds(station);
+}
+
+}  // namespace
+
+const char* to_string(RoadKind kind) {
+  switch (kind) {
+    case RoadKind::gentle:
+      return "gentle";
+    case RoadKind::curved:
+      return "curved";
+    case RoadKind::sharp:
+      return "sharp";
+  }
+  return "?";
+}
 
 Road::Road(RoadKind kind, double length, const RoadPreset& preset, std::uint64_t seed)
-    : Road(kind, length, preset, Random(seed, "road"), Random(seed, "road height")) {}
+    : Road(generated_road({kind, length}, preset, seed)) {}
 
-Road::Road(RoadKind kind, double length, const RoadPreset& preset, Random shape, Random heights)
-    : preset_(preset),
-      reference_(draw_road_course(kind == RoadKind::gentle ? preset.gentle_radius : preset.curved_radius,
-                                  length, shape)),
-      height_(preset, reference_.length(), heights),
-      lane_width_(shape.uniform(preset.lane_width.low, preset.lane_width.high)) {
-  const double period = preset.dash_mark + preset.dash_gap;
-  for (int i = 0; i < boundary_count(); ++i) dash_phases_.push_back(shape.uniform(0, period));
+Road::Road(ReferenceLine reference, RoadHeight height, RoadLayout layout)
+    : reference_(std::move(reference)), height_(std::move(height)), layout_(std::move(layout)) {}
+
+const RoadLine& Road::line_at_index(int line) const {
+  assert(line >= 0 && line < line_count());
+  return layout_.lines[static_cast<std::size_t>(line)];
 }
 
-double Road::boundary_lateral(int boundary) const { return lane_width_ * (preset_.lanes / 2.0 - boundary); }
-
-double Road::lane_centre(int lane) const { return boundary_lateral(lane) - lane_width_ / 2; }
-
-int Road::lane_at(double lateral) const {
-  const int lane = static_cast<int>(std::floor(preset_.lanes / 2.0 - lateral / lane_width_));
-  return std::clamp(lane, 0, preset_.lanes - 1);
+const RoadLane& Road::lane_at_index(int lane) const {
+  assert(lane >= 0 && lane < lane_count());
+  return layout_.lanes[static_cast<std::size_t>(lane)];
 }
 
-MarkingEvidence Road::marking(int boundary) const {
-  return {is_edge(boundary) ? MarkingType::solid : MarkingType::dashed, MarkingColour::white};
+bool Road::line_exists(int line, double station) const { return line_at_index(line).stretch.holds(station); }
+
+bool Road::line_runs_within(int line, const Stretch& stretch) const {
+  const Stretch& own = line_at_index(line).stretch;
+  return own.begin < stretch.end && stretch.begin < own.end;
 }
 
-double Road::marking_width(int boundary) const {
-  return is_edge(boundary) ? preset_.edge_marking_width : preset_.dashed_marking_width;
+double Road::line_lateral(int line, double station) const { return line_at_index(line).lateral.at(station); }
+
+double Road::line_slope(int line, double station) const { return line_at_index(line).lateral.slope(station); }
+
+MarkingEvidence Road::marking(int line, double station) const {
+  return style_at(line_at_index(line), station).marking;
 }
 
-bool Road::painted(int boundary, double station) const {
-  if (is_edge(boundary)) return true;
-  const double period = preset_.dash_mark + preset_.dash_gap;
-  const double turns = (station + dash_phases_[static_cast<std::size_t>(boundary)]) / period;
-  return (turns - std::floor(turns)) * period < preset_.dash_mark;
+double Road::marking_width(int line, double station) const {
+  return style_at(line_at_index(line), station).width;
 }
 
-double Road::guard_rail(int side) const {
-  return side * (lane_width_ * preset_.lanes / 2.0 + preset_.shoulder + preset_.guard_rail);
+bool Road::painted(int line, double station) const {
+  const RoadLine& painted = line_at_index(line);
+  return painted.stretch.holds(station) && in_dash(style_at(painted, station), station) &&
+         !paint_is_missing(painted, station);
+}
+
+double Road::lane_begin(int lane) const {
+  return std::max(line_at_index(left_line(lane)).stretch.begin,
+                  line_at_index(right_line(lane)).stretch.begin);
+}
+
+double Road::lane_end(int lane) const {
+  return std::min(line_at_index(left_line(lane)).stretch.end, line_at_index(right_line(lane)).stretch.end);
+}
+
+bool Road::lane_exists(int lane, double station) const {
+  return lane_begin(lane) <= station && station < lane_end(lane);
+}
+
+double Road::lane_centre(int lane, double station) const {
+  const RoadLane& layout = lane_at_index(lane);
+  if (layout.centre) return layout.centre->at(station);
+  return (line_lateral(layout.left_line, station) + line_lateral(layout.right_line, station)) / 2;
+}
+
+double Road::lane_centre_slope(int lane, double station) const {
+  const RoadLane& layout = lane_at_index(lane);
+  if (layout.centre) return layout.centre->slope(station);
+  return (line_slope(layout.left_line, station) + line_slope(layout.right_line, station)) / 2;
+}
+
+double Road::lane_width(int lane, double station) const {
+  return line_lateral(left_line(lane), station) - line_lateral(right_line(lane), station);
+}
+
+std::optional<int> Road::lane_at(double station, double lateral) const {
+  for (int lane = 0; lane < lane_count(); ++lane) {
+    if (lane_exists(lane, station) && lateral <= line_lateral(left_line(lane), station) &&
+        lateral > line_lateral(right_line(lane), station)) {
+      return lane;
+    }
+  }
+  return {};
+}
+
+std::optional<int> Road::neighbour(int lane, Side side, double station) const {
+  assert(side != Side::none);
+  for (int other = 0; other < lane_count(); ++other) {
+    const bool beside =
+        side == Side::left ? right_line(other) == left_line(lane) : left_line(other) == right_line(lane);
+    if (beside && lane_exists(other, station) && lane_width(other, station) >= kDrivableWidth) return other;
+  }
+  return {};
+}
+
+double Road::guard_rail(int side, double station) const {
+  return (side > 0 ? layout_.left_rail : layout_.right_rail).at(station);
 }
 
 Pose2 Road::pose(double station, double lateral) const {
@@ -59,25 +146,6 @@ Pose2 Road::pose(double station, double lateral) const {
 double Road::curvature(double station, double lateral) const {
   const double curvature = reference_.curvature(station);
   return curvature / (1 - curvature * lateral);
-}
-
-TrueRoad true_road(const Road& road) {
-  TrueRoad truth;
-  for (int i = 0; i < road.boundary_count(); ++i) {
-    TrueBoundary boundary{static_cast<std::uint64_t>(i) + 1, road.marking(i), road.marking_width(i), {}};
-    for (double station = 0; station <= road.reference().length(); ++station) {
-      boundary.points.push_back(road.pose(station, road.boundary_lateral(i)).position());
-    }
-    truth.boundaries.push_back(std::move(boundary));
-  }
-  for (int i = 0; i < road.lane_count(); ++i) {
-    const auto id = static_cast<std::uint64_t>(i) + 1;
-    TrueLane lane{id, id, id + 1, {}, {}};
-    if (i > 0) lane.left_lane = id - 1;
-    if (i + 1 < road.lane_count()) lane.right_lane = id + 1;
-    truth.lanes.push_back(lane);
-  }
-  return truth;
 }
 
 }  // namespace lanefuse

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/pose2.hpp"
@@ -31,7 +32,8 @@ struct Scene {
   Time time{};
   const Road* road = nullptr;
   SceneVehicle ego;
-  std::vector<SceneVehicle> vehicles;  ///< the others
+  std::vector<SceneVehicle> vehicles;                           ///< the others
+  double visibility = std::numeric_limits<double>::infinity();  ///< [m] that cameras see at most
 };
 
 }  // namespace lanefuse

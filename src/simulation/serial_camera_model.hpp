@@ -14,7 +14,8 @@ namespace lanefuse {
 
 /// A serial camera's lane detection [IROS16, sec. II-B]: points on the inner edges of the ego lane's two
 /// markings, tracked inside the camera, which hands over two clothoids. How far it sees changes from frame to
-/// frame, and now and then a frame brings nothing. It does not measure how wide the paint is.
+/// frame, and now and then a frame brings nothing. A marking of which it sees nothing for a while is left
+/// out. It does not measure how wide the paint is.
 class SerialCameraModel final : public SensorModel {
  public:
   SerialCameraModel(const SensorPreset& preset, std::uint64_t seed);
@@ -29,7 +30,9 @@ class SerialCameraModel final : public SensorModel {
   OdometryModel odometry_;  ///< the buses' scale and bias, heard by the camera with white noise of its own
   GroundView view_;
   SerialLaneTracker tracker_;
-  int lane_ = -1;  ///< that the last frame was taken in
+  int lane_ = -1;           ///< that the last frame was taken in
+  double left_unseen_ = 0;  ///< [s] since it saw a point of the left marking
+  double right_unseen_ = 0;
 
   void move_tracker(const Scene& scene);
   double draw_range();

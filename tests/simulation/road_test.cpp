@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/road.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "simulation/road_as_map.hpp"
 #include "simulation/scene_run.hpp"
 
 namespace lanefuse {
@@ -26,8 +25,8 @@ RC_GTEST_PROP(Road, TruePolylinesLieOnTheOffsetCurves, (std::uint64_t seed)) {
       const auto station = static_cast<double>(s);
       const Eigen::Vector2d seen = road.reference().pose(station).inverse() * points[s];
       RC_ASSERT(std::abs(seen.x()) < 1e-9);
-      RC_ASSERT(std::abs(seen.y() - road.boundary_lateral(i)) < 1e-9);
-      const double step = 1 - road.reference().curvature(station + 0.5) * road.boundary_lateral(i);
+      RC_ASSERT(std::abs(seen.y() - road.line_lateral(i, station)) < 1e-9);
+      const double step = 1 - road.reference().curvature(station + 0.5) * road.line_lateral(i, station);
       RC_ASSERT(std::abs((points[s + 1] - points[s]).norm() - step) < 1e-5);
     }
   }
@@ -36,27 +35,27 @@ RC_GTEST_PROP(Road, TruePolylinesLieOnTheOffsetCurves, (std::uint64_t seed)) {
 RC_GTEST_PROP(Road, LanesLieBetweenTheirBoundaries, (std::uint64_t seed)) {
   const Road road = nominal_road(seed);
   const TrueRoad truth = true_road(road);
-  RC_ASSERT(road.lane_width() >= 3.5 && road.lane_width() <= 3.75);
+  RC_ASSERT(road.lane_width(0, 0) >= 3.5 && road.lane_width(0, 0) <= 3.75);
   for (int lane = 0; lane < 3; ++lane) {
     const TrueLane& entry = truth.lanes[static_cast<std::size_t>(lane)];
     RC_ASSERT(entry.left_boundary == truth.boundaries[static_cast<std::size_t>(lane)].id);
     RC_ASSERT(entry.right_boundary == truth.boundaries[static_cast<std::size_t>(lane) + 1].id);
     RC_ASSERT(entry.left_lane.has_value() == (lane > 0));
     RC_ASSERT(entry.right_lane.has_value() == (lane < 2));
-    RC_ASSERT(road.lane_at(road.lane_centre(lane)) == lane);
-    RC_ASSERT(road.lane_at(road.boundary_lateral(lane) - 0.01) == lane);
+    RC_ASSERT(road.lane_at(70, road.lane_centre(lane, 70)) == lane);
+    RC_ASSERT(road.lane_at(70, road.line_lateral(lane, 70) - 0.01) == lane);
   }
 }
 
 TEST(Road, IsPaintedAsThePresetSays) {
   const Road road = nominal_road(1);
   for (const int edge : {0, 3}) {
-    EXPECT_EQ(road.marking(edge).type, MarkingType::solid);
-    EXPECT_DOUBLE_EQ(road.marking_width(edge), 0.30);
+    EXPECT_EQ(road.marking(edge, 0).type, MarkingType::solid);
+    EXPECT_DOUBLE_EQ(road.marking_width(edge, 0), 0.30);
   }
   for (const int inner : {1, 2}) {
-    EXPECT_EQ(road.marking(inner).type, MarkingType::dashed);
-    EXPECT_DOUBLE_EQ(road.marking_width(inner), 0.15);
+    EXPECT_EQ(road.marking(inner, 0).type, MarkingType::dashed);
+    EXPECT_DOUBLE_EQ(road.marking_width(inner, 0), 0.15);
     int painted = 0, changes = 0;
     for (int decimetre = 0; decimetre < 18'000; ++decimetre) {
       painted += road.painted(inner, decimetre * 0.1);
@@ -65,7 +64,7 @@ TEST(Road, IsPaintedAsThePresetSays) {
     EXPECT_NEAR(painted, 6000, 70);  // 6 m of every 18 m
     EXPECT_NEAR(changes, 200, 1);
   }
-  EXPECT_NEAR(road.guard_rail(-1), road.boundary_lateral(3) - 3.0, 1e-12);
+  EXPECT_NEAR(road.guard_rail(-1, 0), road.line_lateral(3, 0) - 3.0, 1e-12);
 }
 
 TEST(Road, CurvesMoreOnTheInside) {

@@ -19,14 +19,12 @@ class SceneRun {
   explicit SceneRun(std::uint64_t seed, RoadKind kind = RoadKind::gentle)
       : preset_(nominal_preset()),
         road_(kind, 12'000, preset_.road, seed),
-        traffic_(road_, preset_, 400, seed) {}
+        traffic_(road_, nominal_traffic(preset_), 400, seed) {}
 
   [[nodiscard]] const SensorPreset& preset() const { return preset_; }
   [[nodiscard]] const Road& road() const { return road_; }
   [[nodiscard]] const Traffic& traffic() const { return traffic_; }
-  [[nodiscard]] Scene scene() const {
-    return scene_at(from_nanoseconds(ticks_ * 20'000'000), road_, traffic_);
-  }
+  [[nodiscard]] Scene scene() const { return traffic_.scene(from_nanoseconds(ticks_ * 20'000'000)); }
   void advance() {
     traffic_.advance(0.02);
     ++ticks_;
@@ -66,10 +64,14 @@ inline Eigen::Vector2d place_of(const Scene& scene, const Eigen::Vector2d& in_ve
   return {station, lateral};
 }
 
-/// The boundary next to `lateral`.
-inline int nearest_boundary(const Road& road, double lateral) {
-  const double count = road.lane_count() / 2.0 - lateral / road.lane_width();
-  return std::clamp(static_cast<int>(std::lround(count)), 0, road.lane_count());
+/// The line next to the place.
+inline int nearest_line(const Road& road, const Eigen::Vector2d& place) {
+  int nearest = 0;
+  for (int line = 1; line < road.line_count(); ++line) {
+    const auto distance = [&](int some) { return std::abs(place.y() - road.line_lateral(some, place.x())); };
+    if (road.line_exists(line, place.x()) && distance(line) < distance(nearest)) nearest = line;
+  }
+  return nearest;
 }
 
 /// Sums up a sample's moments.

@@ -18,10 +18,10 @@ using testing::SceneRun;
 /// Across a marking's centre line, of a clothoid's point: its inner edge moved outward by half the paint.
 double error_at(const Scene& scene, const ClothoidMeasurement& seen, double x) {
   const double y = seen.clothoid.y(x);
-  const double lateral = testing::place_of(scene, {x, y}).y();
-  const int boundary = testing::nearest_boundary(*scene.road, lateral);
-  const double outward = (seen.side == Side::left ? 0.5 : -0.5) * scene.road->marking_width(boundary);
-  return lateral + outward - scene.road->boundary_lateral(boundary);
+  const Eigen::Vector2d place = testing::place_of(scene, {x, y});
+  const int line = testing::nearest_line(*scene.road, place);
+  const double outward = (seen.side == Side::left ? 0.5 : -0.5) * scene.road->marking_width(line, place.x());
+  return place.y() + outward - scene.road->line_lateral(line, place.x());
 }
 
 TEST(SerialCameraModel, ErrsLikeTheStudysSerialCamera) {
@@ -70,14 +70,14 @@ TEST(SerialCameraModel, FollowsTheEgoCarIntoTheNextLane) {
     SerialCameraModel model(run.preset(), seed);
     int lane_before = 1;
     run.watch(model, 150, [&](const Scene& scene, const Measurement& measurement) {
-      const int lane = scene.road->lane_at(scene.ego.lateral);
+      const int lane = *scene.road->lane_at(scene.ego.station, scene.ego.lateral);
       changes += lane != lane_before;
       lane_before = lane;
       const auto& seen = std::get<SerialLane>(measurement);
       if (!seen.left) return;
-      ASSERT_EQ(seen.left->marking, scene.road->marking(lane));
-      ASSERT_EQ(seen.right->marking, scene.road->marking(lane + 1));
-      ASSERT_NEAR(seen.left->clothoid.y(0) - seen.right->clothoid.y(0), scene.road->lane_width(), 0.5);
+      ASSERT_EQ(seen.left->marking, scene.road->marking(lane, scene.ego.station));
+      ASSERT_EQ(seen.right->marking, scene.road->marking(lane + 1, scene.ego.station));
+      ASSERT_NEAR(seen.left->clothoid.y(0) - seen.right->clothoid.y(0), scene.road->lane_width(lane, 0), 0.5);
       ASSERT_LT(std::abs(error_at(scene, *seen.left, 10)), 0.5);
     });
   }

@@ -151,11 +151,11 @@ TEST(CarFollowing, BrakesInTimeBehindAStandingCar) {
 RC_GTEST_PROP(LateralMotion, SpeedAndAccelerationAreDerivatives, (std::uint64_t seed)) {
   Random random(seed, "test");
   LateralMotion motion(0, {0.25, 7, 0.1, 0.8}, random);
-  motion.change_to(3.6);
+  motion.change_to({3.6});
   const double dt = 0.002;
   for (int i = 0; i < 3000; ++i) {
     const LateralMotion::State before = motion.state();
-    motion.advance(dt, random);
+    motion.advance(dt, {}, random);
     const LateralMotion::State after = motion.state();
     RC_ASSERT(std::abs((after.position - before.position) / dt - (before.speed + after.speed) / 2) < 0.01);
     RC_ASSERT(std::abs((after.speed - before.speed) / dt - (before.acceleration + after.acceleration) / 2) <

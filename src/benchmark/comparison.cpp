@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark/comparison.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "benchmark/student_t.hpp"
+#include "core/error.hpp"
+
+namespace lanefuse {
+namespace {
+
+using Side = std::map<DriveKey, const ResultLine*>;
+
+std::set<std::pair<std::string, std::string>> systems_of(std::span<const ResultLine> lines) {
+  std::set<std::pair<std::string, std::string>> systems;
+  for (const ResultLine& line : lines) systems.emplace(line.key.variant, line.key.estimator);
+  return systems;
+}
+
+/// The lines by what was driven; by what drove it, too, where `by_system`.
+Side by_drive(std::span<const ResultLine> lines, bool by_system) {
+  Side side;
+  for (const ResultLine& line : lines) {
+    DriveKey key = line.key;
+    if (!by_system) key.variant = key.estimator = "";
+    const auto [known, is_new] = side.emplace(key, &line);
+    if (!is_new) {
+      throw configuration_error(line.place, fmt::format("is the same drive as {}", known->second->place));
+    }
+  }
+  return side;
+}
+
+using PresetByScene = std::map<std::pair<std::string, std::string>, const ResultLine*>;
+
+void demand_same_presets(std::span<const ResultLine> a, std::span<const ResultLine> b) {
+  PresetByScene first;
+  for (const auto& side : {a, b}) {
+    for (const ResultLine& line : side) {
+      const ResultLine& other = *first.try_emplace({line.key.scene, line.key.road}, &line).first->second;
+      if (other.provenance.preset == line.provenance.preset) continue;
+      throw configuration_error(line.place,
+                                fmt::format("was simulated with preset {}, {} with {}",
+                                            line.provenance.preset, other.place, other.provenance.preset),
+                                "only drives with the same sensors can be compared");
+    }
+  }
+}
+
+/// The kinds of drives, whatever their seeds.
+std::set<DriveKey> kinds_of(const Side& side) {
+  std::set<DriveKey> kinds;
+  for (const auto& [key, line] : side) {
+    DriveKey kind = key;
+    kind.seed = 0;
+    kinds.insert(kind);
+  }
+  return kinds;
+}
+
+struct Values {
+  std::vector<double> a;
+  std::vector<double> b;
+};
+
+Values paired_values(const Figure& figure, const Side& a, const Side& b) {
+  Values values;
+  for (const auto& [key, line] : a) {
+    const auto partner = b.find(key);
+    if (partner == b.end()) continue;
+    const auto in_a = value_of(figure, line->json);
+    const auto in_b = value_of(figure, partner->second->json);
+    if (!in_a || !in_b) continue;
+    values.a.push_back(*in_a);
+    values.b.push_back(*in_b);
+  }
+  return values;
+}
+
+std::vector<double> all_values(const Figure& figure, const Side& side) {
+  std::vector<double> values;
+  for (const auto& [key, line] : side) {
+    if (const auto value = value_of(figure, line->json)) values.push_back(*value);
+  }
+  return values;
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+FigureChange change_of(const Figure& figure, const Values& values, bool paired) {
+  FigureChange change{
+      &figure, mean(values.a),  mean(values.b), {}, std::min(values.a.size(), values.b.size()),
+      {},      Verdict::unknown};
+  if (!paired) {
+    change.change = unpaired_difference(values.a, values.b);
+    return change;
+  }
+  std::vector<double> differences;
+  std::transform(values.b.begin(), values.b.end(), values.a.begin(), std::back_inserter(differences),
+                 std::minus<>());
+  change.change = paired_difference(differences);
+  return change;
+}
+
+Verdict verdict_of(const FigureChange& change) {
+  if (!change.chance) return Verdict::unknown;
+  if (*change.chance >= kSignificance) return Verdict::noise;
+  const bool is_lower = change.change.mean < 0;
+  return is_lower == (change.figure->better == Figure::Better::lower) ? Verdict::better : Verdict::worse;
+}
+
+/// Corrects for the number of figures, and judges each.
+void judge(std::vector<FigureChange>& changes) {
+  std::vector<double> probabilities;
+  for (const FigureChange& change : changes) {
+    if (change.change.probability) probabilities.push_back(*change.change.probability);
+  }
+  const std::vector<double> corrected = holm(probabilities);
+  auto next = corrected.begin();
+  for (FigureChange& change : changes) {
+    if (change.change.probability) change.chance = *next++;
+    change.verdict = verdict_of(change);
+  }
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::better:
+      return "better";
+    case Verdict::worse:
+      return "worse";
+    case Verdict::noise:
+      return "noise";
+    case Verdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+Comparison compare(std::span<const ResultLine> a, std::span<const ResultLine> b) {
+  demand_same_presets(a, b);
+  const bool by_system = systems_of(a).size() > 1 || systems_of(b).size() > 1;
+  const Side in_a = by_drive(a, by_system);
+  const Side in_b = by_drive(b, by_system);
+  Comparison result;
+  result.pairs = static_cast<std::size_t>(std::count_if(
+      in_a.begin(), in_a.end(), [&in_b](const auto& entry) { return in_b.contains(entry.first); }));
+  result.only_in_a = in_a.size() - result.pairs;
+  result.only_in_b = in_b.size() - result.pairs;
+  if (in_a.empty() || in_b.empty() || (result.pairs == 0 && kinds_of(in_a) != kinds_of(in_b))) {
+    throw configuration_error("compare", "the two sides have no drive in common",
+                              "compare the same scene, road, length and truth, best with the same seeds");
+  }
+  const bool paired = result.pairs > 0;
+  for (const Figure& figure : figures()) {
+    const Values values = paired ? paired_values(figure, in_a, in_b)
+                                 : Values{all_values(figure, in_a), all_values(figure, in_b)};
+    if (!values.a.empty() && !values.b.empty()) result.figures.push_back(change_of(figure, values, paired));
+  }
+  judge(result.figures);
+  return result;
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark/suite.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "benchmark/scene.hpp"
+#include "benchmark/variant.hpp"
+#include "core/error.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr const char* kAll = "all";
+
+/// What a suite drives unless it is asked for something else.
+struct Suite {
+  const char* name;
+  const char* scene;
+  const char* road;
+  const char* variant;
+  double km;  ///< a drive
+};
+
+const Suite kSuites[] = {
+    {"nominal", kNominalScene, kAll, "full", 24},
+    {"scenes", kAll, kAll, "full", 4},
+    {"ablations", kNominalScene, "gentle", kAll, 24},
+};
+
+void demand_one_of(const char* option, const std::string& name, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw configuration_error(option, fmt::format("there is no '{}'", name),
+                            fmt::format("choose among {}", fmt::join(names, ", ")));
+}
+
+const Suite& find_suite(const std::string& name) {
+  demand_one_of("--suite", name, suite_names());
+  return *std::find_if(std::begin(kSuites), std::end(kSuites),
+                       [&name](const Suite& suite) { return name == suite.name; });
+}
+
+bool fits(const std::string& wanted, const std::string& name) { return wanted == kAll || wanted == name; }
+
+/// A scene that is asked for by name is driven on whatever road it has.
+std::vector<BenchmarkScene> scenes_of(const SuiteChoice& choice, const Suite& suite) {
+  const std::string scene = choice.scene.value_or(suite.scene);
+  const std::string road = choice.road.value_or(choice.scene ? kAll : suite.road);
+  if (scene != kAll) demand_one_of("--scene", scene, scene_names());
+  std::vector<BenchmarkScene> scenes = benchmark_scenes();
+  std::erase_if(scenes, [&](const BenchmarkScene& s) { return !fits(scene, s.name); });
+  std::erase_if(scenes, [&](const BenchmarkScene& s) { return !fits(road, s.road); });
+  if (scenes.empty()) {
+    throw configuration_error("--road", fmt::format("scene '{}' has no road '{}'", scene, road));
+  }
+  return scenes;
+}
+
+std::vector<std::string> variants_of(const SuiteChoice& choice, const Suite& suite) {
+  const std::string variant = choice.variant.value_or(suite.variant);
+  if (variant == kAll) return variant_names();
+  return {std::string(find_variant(variant).name)};
+}
+
+void demand_seed(bool holds, const std::string& text) {
+  if (!holds) {
+    throw configuration_error("--seeds", fmt::format("'{}' is no list of seeds", text),
+                              fmt::format("write 1-6,9: at most {}, each once", kMostSeeds));
+  }
+}
+
+std::uint64_t parse_seed(const std::string& number, const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), seed);
+  demand_seed(error == std::errc{} && end == number.data() + number.size(), text);
+  return seed;
+}
+
+}  // namespace
+
+std::vector<std::string> suite_names() {
+  std::vector<std::string> names;
+  for (const Suite& suite : kSuites) names.emplace_back(suite.name);
+  return names;
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const BenchmarkScene& scene : benchmark_scenes()) {
+    if (std::find(names.begin(), names.end(), scene.name) == names.end()) names.push_back(scene.name);
+  }
+  return names;
+}
+
+std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
+  demand_one_of("--estimator", choice.estimator, {"graph"});
+  demand_one_of("--truth", choice.truth, {"exact", "surveyed"});
+  const Suite& suite = find_suite(choice.suite);
+  const auto scenes = scenes_of(choice, suite);
+  const auto variants = variants_of(choice, suite);
+  const double km = choice.km.value_or(suite.km);
+  std::vector<DriveKey> drives;
+  for (const std::uint64_t seed : choice.seeds) {
+    for (const BenchmarkScene& scene : scenes) {
+      for (const std::string& variant : variants) {
+        drives.push_back({scene.name, scene.road, seed, km, variant, choice.estimator, choice.truth});
+      }
+    }
+  }
+  return drives;
+}
+
+std::vector<std::uint64_t> parse_seeds(const std::string& text) {
+  std::vector<std::uint64_t> seeds;
+  std::set<std::uint64_t> seen;
+  std::stringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const std::size_t dash = part.find('-');
+    const std::uint64_t first = parse_seed(part.substr(0, dash), text);
+    const std::uint64_t last = dash == std::string::npos ? first : parse_seed(part.substr(dash + 1), text);
+    demand_seed(first <= last && last - first < kMostSeeds, text);
+    for (std::uint64_t offset = 0; offset <= last - first; ++offset) {
+      demand_seed(seen.insert(first + offset).second && seeds.size() < kMostSeeds, text);
+      seeds.push_back(first + offset);
+    }
+  }
+  demand_seed(!seeds.empty() && text.back() != ',', text);
+  return seeds;
+}
+
+}  // namespace lanefuse

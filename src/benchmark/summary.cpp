@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark/summary.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "benchmark/scene.hpp"
+#include "benchmark/variant.hpp"
+#include "core/error.hpp"
+
+namespace lanefuse {
+namespace {
+
+std::string group_name(const DriveKey& key, GroupBy by) {
+  switch (by) {
+    case GroupBy::variant:
+      return key.variant;
+    case GroupBy::scene:
+      return key.scene;
+    case GroupBy::road:
+      return key.road;
+    case GroupBy::drive_kind:
+      break;
+  }
+  return fmt::format("{}, {}, {}", key.scene, key.road, key.variant);
+}
+
+bool is_nominal(const ResultLine& line) {
+  return line.key.scene == kNominalScene && line.key.variant == variants().front().name;
+}
+
+/// Refuses two lines with one `kind` that were made from different `what`.
+class Unmixed {
+ public:
+  explicit Unmixed(const char* what) : what_(what) {}
+
+  void check(const std::string& kind, const std::string& hash, const ResultLine& line) {
+    const auto [known, is_new] = first_.try_emplace(kind, std::pair(hash, line.place));
+    const auto& [first_hash, first_place] = known->second;
+    if (is_new || first_hash == hash) return;
+    throw input_error(
+        line.place,
+        fmt::format("{} comes from {} {}, and {} from {}", kind, what_, hash, first_place, first_hash),
+        "keep them in files of their own, and compare those");
+  }
+
+ private:
+  const char* what_;
+  std::map<std::string, std::pair<std::string, std::string>> first_;
+};
+
+void demand_unmixed(std::span<const ResultLine> lines) {
+  Unmixed presets("preset");
+  Unmixed configurations("configuration");
+  Unmixed versions("version");
+  for (const ResultLine& line : lines) {
+    const std::string system = fmt::format("{} {}", line.key.estimator, line.key.variant);
+    presets.check(fmt::format("{} {}", line.key.scene, line.key.road), line.provenance.preset, line);
+    configurations.check(system, line.provenance.configuration, line);
+    versions.check(system, line.provenance.version, line);
+  }
+}
+
+Summary summary_of(const std::string& name, const std::vector<const ResultLine*>& lines) {
+  std::vector<const nlohmann::ordered_json*> jsons;
+  for (const ResultLine* line : lines) jsons.push_back(&line->json);
+  const DriveKey& key = lines.front()->key;
+  Summary summary{name,
+                  std::all_of(lines.begin(), lines.end(), [](const auto* line) { return is_nominal(*line); }),
+                  key.estimator,
+                  key.truth,
+                  key.km,
+                  lines.size(),
+                  {}};
+  for (const Figure& figure : figures()) summary.means.push_back(mean_of(figure, jsons));
+  return summary;
+}
+
+}  // namespace
+
+std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by) {
+  demand_unmixed(lines);
+  using GroupKey = std::tuple<std::string, std::string, std::string, double>;
+  std::map<GroupKey, std::size_t> places;
+  std::vector<std::pair<std::string, std::vector<const ResultLine*>>> groups;
+  for (const ResultLine& line : lines) {
+    const std::string name = group_name(line.key, by);
+    const auto [place, is_new] =
+        places.try_emplace({name, line.key.estimator, line.key.truth, line.key.km}, groups.size());
+    if (is_new) groups.push_back({name, {}});
+    groups[place->second].second.push_back(&line);
+  }
+  std::vector<Summary> summaries;
+  for (const auto& [name, members] : groups) summaries.push_back(summary_of(name, members));
+  return summaries;
+}
+
+}  // namespace lanefuse

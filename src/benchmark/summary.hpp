@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/figure.hpp"
+#include "benchmark/result_line.hpp"
+
+namespace lanefuse {
+
+/// What a table has a row for. Estimators, truths and lengths never share one.
+enum class GroupBy { drive_kind, variant, scene, road };
+
+/// The drives of one row.
+struct Summary {
+  std::string name;      ///< "nominal, gentle, full"; by one thing only: "full"
+  bool nominal = false;  ///< all its drives are of the nominal scene and the full system, as the paper's were
+  std::string estimator;
+  std::string truth;
+  double km = 0;  ///< a drive
+  std::size_t drives = 0;
+  std::vector<std::optional<FigureMean>> means;  ///< of figures(), in their order
+};
+
+/// Rows in the order in which their first line comes. Throws an input Error where drives of one scene and
+/// road come from different presets, or those of one variant and estimator from different configurations or
+/// versions: such a mean says nothing.
+std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by);
+
+}  // namespace lanefuse

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark/variant.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr auto kNothing = [](SimulationConfig&) {};
+
+constexpr std::array<Variant, 7> kVariants{{
+    {"full", "every source and every edge", kNothing, ""},
+    {"no-objects", "no other vehicles as witnesses", [](SimulationConfig& c) { c.objects = false; }, ""},
+    {"no-high-resolution-camera", "no marking features of the second camera",
+     [](SimulationConfig& c) { c.high_resolution_camera = false; }, ""},
+    {"no-serial-camera", "no lanes of the serial camera",
+     [](SimulationConfig& c) { c.serial_camera = false; }, ""},
+    {"no-width", "no edges across a lane (eq. 8)", kNothing, "fusion.width_edges=false"},
+    {"no-smoothing", "no edges along a vehicle's trail (eq. 9)", kNothing, "fusion.smoothing_edges=false"},
+    {"no-switches", "smoothing edges that cannot switch off", kNothing, "fusion.switchable=false"},
+}};
+
+}  // namespace
+
+std::span<const Variant> variants() { return kVariants; }
+
+std::vector<std::string> variant_names() {
+  std::vector<std::string> names;
+  std::transform(kVariants.begin(), kVariants.end(), std::back_inserter(names),
+                 [](const Variant& variant) { return std::string(variant.name); });
+  return names;
+}
+
+const Variant& find_variant(std::string_view name) {
+  const auto found = std::find_if(kVariants.begin(), kVariants.end(),
+                                  [name](const Variant& variant) { return variant.name == name; });
+  if (found == kVariants.end()) {
+    throw configuration_error("--variant", fmt::format("there is no '{}'", name),
+                              fmt::format("choose among {}", fmt::join(variant_names(), ", ")));
+  }
+  return *found;
+}
+
+PerceptionConfig configure(const Variant& variant, std::span<const std::string> assignments) {
+  PerceptionConfig config = default_config(WitnessRule::radar_and_camera);
+  if (!variant.setting.empty()) set_key(config, std::string(variant.setting));
+  for (const std::string& assignment : assignments) set_key(config, assignment);
+  return config;
+}
+
+}  // namespace lanefuse

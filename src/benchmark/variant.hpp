@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/config.hpp"
+#include "simulation/drive_simulation.hpp"
+
+namespace lanefuse {
+
+/// The full system with one piece taken away, by name: what an ablation compares.
+struct Variant {
+  std::string_view name;
+  std::string_view effect;
+  void (*leave_out)(SimulationConfig&);  ///< takes a sensor from the drive
+  std::string_view setting;              ///< "key=value" of the pipeline; empty for none
+};
+
+/// Every variant; the first is the full system. A new ablation is a line here.
+std::span<const Variant> variants();
+std::vector<std::string> variant_names();
+
+/// Throws a configuration Error that lists the names there are.
+const Variant& find_variant(std::string_view name);
+
+/// The pipeline's defaults, then the variant's setting, then `assignments` ("key=value").
+PerceptionConfig configure(const Variant& variant, std::span<const std::string> assignments);
+
+}  // namespace lanefuse

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+#include <string>
+
+#include "benchmark/suite.hpp"
+#include "benchmark/variant.hpp"
+#include "cli/benchmark_command.hpp"
+#include "cli/benchmark_results_command.hpp"
+#include "cli/command_line.hpp"
+
+namespace lanefuse {
+namespace {
+
+/// "WHAT: a, b, c"
+std::string listed(const std::string& what, const std::vector<std::string>& names) {
+  std::string text = what;
+  for (const std::string& name : names) text.append(&name == &names.front() ? ": " : ", ").append(name);
+  return text;
+}
+
+void add_drives(CLI::App& command, BenchmarkOptions& options) {
+  SuiteChoice& choice = options.choice;
+  command.add_option("--suite", choice.suite, listed("which drives", suite_names()))->capture_default_str();
+  command.add_option("--road", choice.road, "gentle, curved or all, if not the suite's own");
+  command.add_option("--scene", choice.scene, listed("only this scene", scene_names()));
+  command.add_option("--seeds", options.seeds, "one drive each, as in 1-6,9")->capture_default_str();
+  command.add_option("--km", choice.km, "length of a drive [km], if not the suite's own")
+      ->check(CLI::Range(0.05, 1000.0));
+  command.add_option("--variant", choice.variant, listed("all, or only this variant", variant_names()));
+  command.add_option("--estimator", choice.estimator, "what fuses: graph")->capture_default_str();
+  command.add_option("--truth", choice.truth, "exact, or surveyed with the errors of the paper's own map")
+      ->capture_default_str();
+  command
+      .add_option("--set", options.assignments, "one setting, KEY=VALUE, over the variant's; may be repeated")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_merge(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<MergeResultsOptions>();
+  CLI::App& command = *benchmark.add_subcommand("merge", "join files of results into one");
+  command.add_option("files", options.files, "the files of results (.jsonl)")->required();
+  command.add_option("-o,--output", options.output, "the file to write (.jsonl)")->required();
+  finish(command, line, options, merge_results_files);
+}
+
+void add_table(CLI::App& benchmark, CommandLine& line) {
+  static const std::map<std::string, GroupBy> kGroups{
+      {"variant", GroupBy::variant}, {"scene", GroupBy::scene}, {"road", GroupBy::road}};
+  auto& options = line.make<ResultsTableOptions>();
+  CLI::App& command = *benchmark.add_subcommand("table", "means over drives, with confidence intervals");
+  command.add_option("files", options.files, "the files of results (.jsonl)")->required();
+  const auto group = [&options](const std::string& by) { options.by = kGroups.at(by); };
+  command
+      .add_option_function<std::string>("--by", group,
+                                        "one row a variant, scene or road, else one for each of all three")
+      ->check(CLI::IsMember(kGroups));
+  command.add_flag("--markdown", options.markdown, "as tables in Markdown");
+  finish(command, line, options, show_results_table);
+}
+
+void add_compare(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<CompareResultsOptions>();
+  CLI::App& command =
+      *benchmark.add_subcommand("compare", "what changed from A to B, and whether it may be chance");
+  command.add_option("A", options.a, "results before (.jsonl)")->required();
+  command.add_option("B", options.b, "results after (.jsonl)")->required();
+  command.add_option("--variant-a", options.variant_a, "only the drives of this variant in A");
+  command.add_option("--variant-b", options.variant_b, "only the drives of this variant in B");
+  finish(command, line, options, compare_results);
+}
+
+}  // namespace
+
+void add_benchmark(CommandLine& line) {
+  auto& options = line.make<BenchmarkOptions>();
+  CLI::App& command = *line.app.add_subcommand(
+      "benchmark", "simulate, fuse and judge many drives; goes on where it was broken off");
+  command.require_subcommand(0, 1);
+  add_drives(command, options);
+  CLI::Option* output =
+      command.add_option("-o,--output", options.output, "the results to write or to add to (.jsonl)");
+  command.add_option("--jobs", options.jobs, "drives at a time, else one a core")->check(CLI::Range(1, 4096));
+  command.add_option("--job", options.slice,
+                     "I/N: every N-th drive from the I-th on, for arrays of machines");
+  CLI::Option* list = command.add_flag("--list", options.list, "name the drives and stop");
+  command.add_flag("--no-times", options.no_times, "leave out wall-clock times: equal runs, equal bytes");
+  add_merge(command, line);
+  add_table(command, line);
+  add_compare(command, line);
+  finish(command, line, options, benchmark);
+  command.callback([&line, &options, &command, output, list] {
+    if (!command.get_subcommands().empty()) return;
+    if (output->empty() && list->empty()) throw CLI::RequiredError(output->get_name());
+    line.action = [&options] { return benchmark(options); };
+  });
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/benchmark_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "evaluation/table_one.hpp"
+
+namespace lanefuse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Row = std::vector<std::string>;
+
+/// What the paper's Table I says of an RMSE among figures().
+double paper_rmse(std::size_t figure) {
+  const PaperRow& row = kTableOne[figure % kShownDistances];
+  return figure < kShownDistances ? row.ego.rmse : row.adjacent.rmse;
+}
+
+/// Of UTF-8 text: "±" is one letter and two bytes.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string laid_out(const Row& row, const std::vector<std::size_t>& widths, bool markdown) {
+  std::string line = markdown ? "|" : "";
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto width = markdown ? 0 : widths[i];
+    const std::string cell =
+        i == 0 ? fmt::format("{:<{}}", row[i], width) : fmt::format("{:>{}}", row[i], width);
+    line += markdown ? fmt::format(" {} |", cell) : fmt::format("{}{}", i == 0 ? "" : "  ", cell);
+  }
+  return line + "\n";
+}
+
+/// Columns under a head, aligned for a terminal or as Markdown.
+std::string grid(const std::vector<Row>& rows, bool markdown) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += laid_out(row, widths, markdown);
+    if (markdown && &row == &rows.front()) {
+      for (std::size_t i = 0; i < row.size(); ++i) text += "|---";
+      text += "|\n";
+    }
+  }
+  return text;
+}
+
+std::string cell(const std::optional<FigureMean>& mean, int digits, double factor = 1) {
+  if (!mean) return "-";
+  if (!mean->low || !mean->high) return fmt::format("{:.{}f}", factor * mean->value, digits);
+  return fmt::format("{:.{}f} ±{:.{}f}", factor * mean->value, digits,
+                     factor * (*mean->high - *mean->low) / 2, digits);
+}
+
+Row rmse_row(const Summary& summary, bool adjacent) {
+  Row row{adjacent ? "" : summary.name, adjacent ? "adjacent" : "ego"};
+  for (std::size_t i = 0; i < kShownDistances; ++i)
+    row.push_back(cell(summary.means[rmse_figure(adjacent, i)], 3));
+  row.push_back(cell(summary.means[adjacent ? kAdjacentReaches : kEgoReaches], 1, 100));
+  return row;
+}
+
+Row paper_row(bool adjacent) {
+  Row row{adjacent ? "" : "the paper, Table I", adjacent ? "adjacent" : "ego"};
+  for (std::size_t i = 0; i < kShownDistances; ++i)
+    row.push_back(fmt::format("{:.2f}", paper_rmse(rmse_figure(adjacent, i))));
+  row.emplace_back("-");
+  return row;
+}
+
+std::string rmse_table(const std::vector<Summary>& summaries, bool markdown) {
+  std::vector<Row> rows{{"drives", "lane", "0", "20", "40", "60", "80", "100", "120 m", "reaches 60 m [%]"}};
+  bool nominal = false;
+  for (const Summary& summary : summaries) {
+    for (const bool adjacent : {false, true}) rows.push_back(rmse_row(summary, adjacent));
+    nominal = nominal || summary.nominal;
+  }
+  if (nominal) {
+    for (const bool adjacent : {false, true}) rows.push_back(paper_row(adjacent));
+  }
+  return grid(rows, markdown);
+}
+
+std::string other_table(const std::vector<Summary>& summaries, bool markdown) {
+  std::vector<Row> rows{{"drives", "how many", "km each", "estimator", "truth", "false lanes a frame",
+                         "wrong-lane rate", "cycle p50 [ms]", "cycle p99 [ms]"}};
+  for (const Summary& s : summaries) {
+    rows.push_back({s.name, fmt::format("{}", s.drives), fmt::format("{}", s.km), s.estimator, s.truth,
+                    cell(s.means[kFalseLanes], 4), cell(s.means[kWrongLane], 4),
+                    cell(s.means[kCycleMedian], 2), cell(s.means[kCycleSlow], 2)});
+  }
+  return grid(rows, markdown);
+}
+
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+}  // namespace
+
+std::string to_text(const std::vector<Summary>& summaries, bool markdown) {
+  return fmt::format(
+      "RMSE [m] by distance ahead, ± half of the 95 % confidence interval over drives\n\n{}\n{}",
+      rmse_table(summaries, markdown), other_table(summaries, markdown));
+}
+
+Json to_json(const std::vector<Summary>& summaries) {
+  Json list = Json::array();
+  for (const Summary& summary : summaries) {
+    Json row{{"name", summary.name},
+             {"estimator", summary.estimator},
+             {"truth", summary.truth},
+             {"km", summary.km},
+             {"drives", summary.drives}};
+    Json& means = row["figures"] = Json::array();
+    for (std::size_t i = 0; i < summary.means.size(); ++i) {
+      const auto& mean = summary.means[i];
+      Json entry{{"figure", figures()[i].name}, {"unit", figures()[i].unit}};
+      entry["mean"] = mean ? Json(mean->value) : Json();
+      entry["low"] = number(mean ? mean->low : std::nullopt);
+      entry["high"] = number(mean ? mean->high : std::nullopt);
+      entry["drives"] = mean ? mean->drives : 0;
+      if (summary.nominal && i < 2 * kShownDistances) entry["paper"] = paper_rmse(i);
+      means.push_back(std::move(entry));
+    }
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+std::string to_text(const Comparison& comparison) {
+  std::string text =
+      comparison.pairs > 0
+          ? fmt::format("{} drives in both, compared pair by pair; {} only in A, {} only in B\n",
+                        comparison.pairs, comparison.only_in_a, comparison.only_in_b)
+          : fmt::format("no drive in both: the {} of A and the {} of B are compared as a whole\n",
+                        comparison.only_in_a, comparison.only_in_b);
+  std::vector<Row> rows{{"figure", "A", "B", "B - A", "95 %", "chance", "B is"}};
+  for (const FigureChange& f : comparison.figures) {
+    const auto& half = f.change.half_width;
+    rows.push_back(
+        {f.figure->unit.empty() ? f.figure->name : fmt::format("{} [{}]", f.figure->name, f.figure->unit),
+         fmt::format("{:.4f}", f.in_a), fmt::format("{:.4f}", f.in_b), fmt::format("{:+.4f}", f.change.mean),
+         half ? fmt::format("±{:.4f}", *half) : "-", f.chance ? fmt::format("{:.3f}", *f.chance) : "-",
+         f.verdict == Verdict::better || f.verdict == Verdict::worse
+             ? fmt::format("significantly {}", to_string(f.verdict))
+             : to_string(f.verdict)});
+  }
+  return fmt::format(
+      "{}\n{}\nchance: probability of so large a difference where there is none, corrected for {} "
+      "figures (Holm); below {} counts\n",
+      text, grid(rows, false), comparison.figures.size(), kSignificance);
+}
+
+Json to_json(const Comparison& comparison) {
+  Json json{
+      {"pairs", comparison.pairs}, {"only_in_a", comparison.only_in_a}, {"only_in_b", comparison.only_in_b}};
+  Json& list = json["figures"] = Json::array();
+  for (const FigureChange& f : comparison.figures) {
+    list.push_back({{"figure", f.figure->name},
+                    {"unit", f.figure->unit},
+                    {"a", f.in_a},
+                    {"b", f.in_b},
+                    {"difference", f.change.mean},
+                    {"half_width", number(f.change.half_width)},
+                    {"probability", number(f.change.probability)},
+                    {"corrected_probability", number(f.chance)},
+                    {"drives", f.drives},
+                    {"verdict", to_string(f.verdict)}});
+  }
+  return json;
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/evaluate_judging.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/progress.hpp"
+#include "core/error.hpp"
+#include "evaluation/ego_path.hpp"
+#include "evaluation/exact_truth.hpp"
+#include "evaluation/serial_camera_baseline.hpp"
+#include "evaluation/true_frames.hpp"
+#include "recording/drive_reader.hpp"
+#include "simulation/preset.hpp"
+
+namespace lanefuse {
+namespace {
+
+template <typename Judge>
+Highlights judge_all(const EvaluateOptions& options, Judge&& judge) {
+  Highlights highlights;
+  Progress progress("evaluating");
+  LanesReader reader(options.lanes);
+  LaneRecord record;
+  while (reader.next(record)) {
+    highlights.add(record);
+    judge(record.estimate);
+    progress.show_seconds(to_seconds(record.estimate.time - highlights.times.front()));
+  }
+  refuse_damage(options.lanes, reader.report());
+  if (highlights.times.empty()) throw input_error(options.lanes.string(), "holds no cycle");
+  return highlights;
+}
+
+/// Plays a drive's serial camera beside the estimates.
+class SerialCameraReplay {
+ public:
+  explicit SerialCameraReplay(const std::filesystem::path& drive) : file_(drive), reader_(drive) {
+    if (std::none_of(reader_.rig().sensors.begin(), reader_.rig().sensors.end(),
+                     [](const auto& sensor) { return sensor.kind == SensorKind::serial_camera; })) {
+      throw input_error(drive.string(), "has no serial camera", "leave out --baseline");
+    }
+    more_ = reader_.next(next_);
+  }
+
+  LaneEstimate at(Time time) {
+    for (; more_ && stamp_of(next_).received_at <= time; more_ = reader_.next(next_)) camera_.add(next_);
+    return camera_.at(time);
+  }
+
+  void finish() const { refuse_damage(file_, reader_.report()); }
+
+ private:
+  std::filesystem::path file_;
+  DriveReader reader_;
+  SerialCameraBaseline camera_;
+  Measurement next_;
+  bool more_ = false;
+};
+
+std::optional<SurveyedTruthConfig> survey_of(const EvaluateOptions& options) {
+  if (options.truth != "surveyed") return std::nullopt;
+  const SurveyedTruthPreset preset = nominal_preset().surveyed_truth;
+  return SurveyedTruthConfig{preset.ego, preset.adjacent, preset.heading, options.truth_seed};
+}
+
+Judged judge_by_road(const EvaluateOptions& options, const LanesAndTruth& context, const TrueRoad& road) {
+  ExactTruthEvaluation evaluation(road, survey_of(options));
+  std::unique_ptr<SerialCameraReplay> camera;
+  if (options.serial_camera) camera = std::make_unique<SerialCameraReplay>(context.drive);
+  Judged judged;
+  judged.highlights = judge_all(options, [&](const LaneEstimate& estimate) {
+    const auto frame = frame_at(context.truth->frames, estimate.time);
+    if (!frame) return evaluation.add_without_truth(estimate);
+    if (!camera) return evaluation.add(estimate, *frame);
+    const LaneEstimate alone = camera->at(estimate.time);
+    evaluation.add(estimate, *frame, &alone);
+  });
+  if (camera) camera->finish();
+  judged.result = evaluation.result();
+  judged.trace = evaluation.trace();
+  return judged;
+}
+
+Judged judge_by_drive(const EvaluateOptions& options, const LanesAndTruth& context) {
+  if (!context.truth->road) {
+    throw input_error(options.lanes.string(), "its drive has no exact truth (/truth/road)",
+                      "try --truth ego-path");
+  }
+  return judge_by_road(options, context, *context.truth->road);
+}
+
+Judged judge_by_path(const EvaluateOptions& options, const LanesAndTruth& context) {
+  EgoPathEvaluation evaluation(context.truth->frames);
+  Judged judged;
+  judged.highlights = judge_all(
+      options, [&](const LaneEstimate& estimate) { evaluation.add(estimate, estimate.witnesses > 0); });
+  judged.result = evaluation.result();
+  return judged;
+}
+
+}  // namespace
+
+void Highlights::add(const LaneRecord& record) {
+  times.push_back(record.estimate.time);
+  const auto off =
+      static_cast<std::size_t>(std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
+                                             [](const SwitchState& s) { return s.value < 0.5; }));
+  if (off <= most_switched_count) return;
+  most_switched_count = off;
+  most_switched = record.estimate.time;
+}
+
+std::vector<Time> Highlights::chosen() const {
+  std::vector<Time> moments;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    if (!times.empty())
+      moments.push_back(times[static_cast<std::size_t>(share * static_cast<double>(times.size()))]);
+  }
+  if (most_switched_count > 0) moments.push_back(most_switched);
+  std::sort(moments.begin(), moments.end());
+  moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
+  return moments;
+}
+
+void refuse_damage(const std::filesystem::path& file, const ReadReport& report) {
+  if (!report.complete()) throw input_error(file.string(), "damaged: " + report.first_problem);
+}
+
+Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context) {
+  return options.truth == "ego-path" ? judge_by_path(options, context) : judge_by_drive(options, context);
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "cli/evaluate_command.hpp"
+#include "cli/lanes_and_truth.hpp"
+#include "evaluation/error_trace.hpp"
+#include "evaluation/evaluation_result.hpp"
+
+namespace lanefuse {
+
+/// The cycles that the report shows: spread over the drive, and the one with the most switched-off edges.
+struct Highlights {
+  std::vector<Time> times;
+  Time most_switched{};
+  std::size_t most_switched_count = 0;
+
+  void add(const LaneRecord& record);
+  /// In order of time, each once.
+  [[nodiscard]] std::vector<Time> chosen() const;
+};
+
+struct Judged {
+  EvaluationResult result;
+  ErrorTrace trace;  ///< only against a road
+  Highlights highlights;
+};
+
+/// Reads the lanes once and judges every cycle by the truth that was asked for. Throws Error (input) where
+/// the lanes or the drive are damaged, or hold no truth of that kind.
+Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context);
+
+/// Throws Error (input) where a file could not be read to its end.
+void refuse_damage(const std::filesystem::path& file, const ReadReport& report);
+
+}  // namespace lanefuse

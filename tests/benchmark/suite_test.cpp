@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmark/suite.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "benchmark/scene.hpp"
+#include "benchmark/variant.hpp"
+#include "core/error.hpp"
+
+namespace lanefuse {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::SizeIs;
+
+TEST(Seeds, AreListsAndRanges) {
+  EXPECT_THAT(parse_seeds("7"), ElementsAre(7U));
+  EXPECT_THAT(parse_seeds("1-3,9"), ElementsAre(1U, 2U, 3U, 9U));
+  EXPECT_THAT(parse_seeds("9,2-2"), ElementsAre(9U, 2U));
+  EXPECT_THAT(parse_seeds("18446744073709551615"), SizeIs(1));
+}
+
+TEST(Seeds, WhatIsNoListIsRefused) {
+  for (const char* text : {"", "x", "1,", ",1", "3-1", "1-", "-1", "1-2-3", "1, 2", "1,1", "1-5,3",
+                           "0-99999999", "0-18446744073709551615", "18446744073709551616"}) {
+    EXPECT_THROW(parse_seeds(text), Error) << text;
+  }
+}
+
+TEST(Suites, NominalIsBothRoadsOfTheFullSystem) {
+  const auto drives = drives_of({.seeds = {1, 2}});
+  EXPECT_THAT(drives, SizeIs(4));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::km, 24)));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::variant, "full")));
+  EXPECT_EQ(std::set<DriveKey>(drives.begin(), drives.end()).size(), 4U);
+}
+
+TEST(Suites, AblationsAreEveryVariantOnTheGentleRoad) {
+  const auto drives = drives_of({.suite = "ablations"});
+  EXPECT_THAT(drives, SizeIs(variants().size()));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::road, "gentle")));
+}
+
+TEST(Suites, ScenesAreAllThereAre) {
+  EXPECT_THAT(drives_of({.suite = "scenes"}), SizeIs(benchmark_scenes().size()));
+}
+
+TEST(Suites, ComeSeedBySeed) {
+  const auto drives = drives_of({.suite = "ablations", .seeds = {5, 3}});
+  EXPECT_EQ(drives.front().seed, 5U);
+  EXPECT_EQ(drives[variants().size() - 1].seed, 5U);
+  EXPECT_EQ(drives.back().seed, 3U);
+}
+
+TEST(Suites, ChoicesNarrowThem) {
+  const auto drives = drives_of({.road = "curved", .variant = "no-width", .km = 3, .truth = "surveyed"});
+  ASSERT_THAT(drives, SizeIs(1));
+  EXPECT_EQ(to_string(drives.front()), "nominal, curved, seed 1, 3 km, no-width, graph, truth surveyed");
+}
+
+TEST(Suites, UnknownNamesAreRefused) {
+  EXPECT_THROW(drives_of({.suite = "x"}), Error);
+  EXPECT_THROW(drives_of({.road = "x"}), Error);
+  EXPECT_THROW(drives_of({.scene = "x"}), Error);
+  EXPECT_THROW(drives_of({.variant = "x"}), Error);
+  EXPECT_THROW(drives_of({.estimator = "x"}), Error);
+  EXPECT_THROW(drives_of({.truth = "x"}), Error);
+}
+
+TEST(Variants, EachTakesSomethingAway) {
+  const std::string full = fingerprint(configure(variants().front(), {}));
+  std::set<std::string> names;
+  for (const Variant& variant : variants()) {
+    EXPECT_TRUE(names.insert(std::string(variant.name)).second) << variant.name;
+    SimulationConfig simulation;
+    variant.leave_out(simulation);
+    const bool all_sensors =
+        simulation.serial_camera && simulation.high_resolution_camera && simulation.objects;
+    const bool as_full = all_sensors && fingerprint(configure(variant, {})) == full;
+    EXPECT_EQ(as_full, variant.name == variants().front().name) << variant.name;
+  }
+}
+
+TEST(Variants, AssignmentsComeLast) {
+  const std::vector<std::string> assignments{"fusion.width_edges=true"};
+  EXPECT_EQ(fingerprint(configure(find_variant("no-width"), assignments)),
+            fingerprint(configure(find_variant("full"), {})));
+}
+
+}  // namespace
+}  // namespace lanefuse

@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+# SPDX-License-Identifier: Apache-2.0
+"""Many short drives become a file of results, which goes on where it was broken off, and tables that can be trusted."""
+
+import json
+import re
+import subprocess
+
+import program
+
+HEAD = ["scene", "road", "seed", "km", "variant", "estimator", "truth", "version", "preset", "configuration_hash"]
+TIMES = {"cycle_ms", "stage_s", "wall_s"}
+
+
+class BenchmarkTest(program.ProgramTest):
+    @classmethod
+    def drive(cls, output, *arguments):
+        return cls.succeed("benchmark", "--km", 0.3, "--road", "gentle", *arguments, "-o", output)
+
+    def lines(self, name):
+        return [json.loads(line) for line in self.bytes_of(name).decode().splitlines()]
+
+
+class Drives(BenchmarkTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.said = cls.drive("results.jsonl", "--seeds", "1-3", "--no-times")
+
+    def test_there_is_a_line_a_drive(self):
+        self.assertEqual(self.said, {"output": "results.jsonl", "drives": 3, "driven": 3, "there_already": 0})
+        lines = self.lines("results.jsonl")
+        self.assertEqual([line["seed"] for line in lines], [1, 2, 3])
+        for line in lines:
+            self.assertEqual(list(line)[:len(HEAD)], HEAD)
+            self.assertLessEqual({"lanes", "false_lanes_per_frame", "wrong_lane_rate", "nees", "inputs"}, set(line))
+            self.assertFalse(TIMES & set(line))
+
+    def test_a_line_says_what_evaluate_says(self):
+        self.simulate()
+        self.succeed("run", "drive.mcap", "-o", "lanes.mcap")
+        judged = self.succeed("evaluate", "lanes.mcap", "--truth", "exact")
+        line = self.lines("results.jsonl")[0]
+        self.assertEqual(line["preset"], judged["preset_hash"])
+        for role in ("ego", "adjacent"):
+            for ours, theirs in zip(line["lanes"][role], judged["lanes"][role], strict=True):
+                self.assertEqual(ours["n"], theirs["n"])
+                self.assertAlmostEqual(ours["rmse_m"], theirs["rmse_m"], places=9)
+
+    def test_the_number_of_jobs_changes_nothing(self):
+        for jobs in (1, 3):
+            self.drive(f"jobs{jobs}.jsonl", "--seeds", "1-3", "--no-times", "--jobs", jobs)
+            self.assertEqual(self.bytes_of(f"jobs{jobs}.jsonl"), self.bytes_of("results.jsonl"))
+
+    def test_it_goes_on_behind_a_cut_line(self):
+        whole = self.bytes_of("results.jsonl")
+        (self.folder / "cut.jsonl").write_bytes(whole[:whole.index(b"\n") + 200])
+        done = self.call("benchmark", "--km", 0.3, "--road", "gentle", "--seeds", "1-3", "--no-times", "-o", "cut.jsonl")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("cut off", done.stderr)
+        self.assertIn("3 drives, 1 of them", done.stdout)
+        self.assertEqual(self.bytes_of("cut.jsonl"), whole)
+
+    def test_slices_merge_to_the_whole(self):
+        for i in (1, 2):
+            said = self.drive(f"slice{i}.jsonl", "--seeds", "1-3", "--no-times", "--job", f"{i}/2")
+            self.assertEqual(said["driven"], 3 - i)
+        merged = self.succeed("benchmark", "merge", "slice2.jsonl", "slice1.jsonl", "-o", "merged.jsonl")
+        self.assertEqual(merged, {"output": "merged.jsonl", "files": 2, "lines": 3, "drives": 3})
+        self.assertEqual(self.bytes_of("merged.jsonl"), self.bytes_of("results.jsonl"))
+
+    def test_other_settings_are_another_file(self):
+        command = ["benchmark", "--km", 0.3, "--road", "gentle", "--seeds", 1, "--set", "fusion.width_edges=false"]
+        self.refuse(2, *command, "-o", "results.jsonl", naming="configuration")
+        self.succeed(*command, "--no-times", "-o", "other.jsonl")
+        self.refuse(3, "benchmark", "merge", "results.jsonl", "other.jsonl", "-o", "x.jsonl", naming="configuration")
+
+    def test_another_program_s_file_is_kept(self):
+        (self.folder / "poem.txt").write_text("no end of line")
+        self.refuse(3, "benchmark", "--km", 0.3, "-o", "poem.txt", naming="poem.txt:1")
+
+    def test_force_starts_anew(self):
+        (self.folder / "anew.jsonl").write_text("rubbish\n")
+        self.drive("anew.jsonl", "--seeds", "1", "--force", "--no-times")
+        self.assertEqual(self.bytes_of("anew.jsonl").splitlines(), self.bytes_of("results.jsonl").splitlines()[:1])
+
+    def test_a_table_has_intervals_and_the_paper(self):
+        table = self.succeed("benchmark", "table", "results.jsonl")
+        self.assertEqual([(row["name"], row["drives"]) for row in table], [("nominal, gentle, full", 3)])
+        figure = table[0]["figures"][3]
+        self.assertEqual((figure["figure"], figure["unit"], figure["paper"]), ("ego RMSE at 60 m", "m", 0.28))
+        self.assertLess(figure["low"], figure["mean"])
+        self.assertLess(figure["mean"], figure["high"])
+        text = self.call("benchmark", "table", "results.jsonl").stdout
+        self.assertIn("the paper, Table I", text)
+        markdown = self.call("benchmark", "table", "results.jsonl", "--markdown", "--by", "variant").stdout
+        self.assertRegex(markdown, r"\| full \| ego \| 0\.\d{3} ±0\.\d{3} \|")
+
+    def test_compare_pairs_drives_and_judges(self):
+        self.drive("without.jsonl", "--seeds", "1-3", "--no-times", "--variant", "no-objects")
+        compared = self.succeed("benchmark", "compare", "results.jsonl", "without.jsonl")
+        self.assertEqual((compared["pairs"], compared["only_in_a"], compared["only_in_b"]), (3, 0, 0))
+        for figure in compared["figures"]:
+            self.assertIn(figure["verdict"], {"better", "worse", "noise", "unknown"})
+        same = self.call("benchmark", "compare", "results.jsonl", "results.jsonl").stdout
+        self.assertIn("3 drives in both", same)
+        self.assertNotIn("significantly", same)
+
+
+class Times(BenchmarkTest):
+    def test_times_are_all_that_differs(self):
+        for name in ("a.jsonl", "b.jsonl"):
+            self.drive(name, "--seeds", "1")
+        a, b = self.lines("a.jsonl")[0], self.lines("b.jsonl")[0]
+        self.assertLessEqual(a["cycle_ms"]["p50"], a["cycle_ms"]["max"])
+        self.assertGreater(a["wall_s"], 0)
+        self.assertEqual(set(a["stage_s"]), {"simulate", "fuse", "evaluate"})
+        for line in (a, b):
+            for key in TIMES:
+                del line[key]
+        self.assertEqual(a, b)
+        self.succeed("benchmark", "merge", "a.jsonl", "b.jsonl", "-o", "c.jsonl")
+
+
+class WrongUse(BenchmarkTest):
+    def test_what_is_missing_or_unknown_is_named(self):
+        self.refuse(2, "benchmark", naming="--output")
+        for option, value in (("--suite", "x"), ("--road", "x"), ("--scene", "x"), ("--variant", "x"), ("--seeds", "3-1"),
+                              ("--truth", "x"), ("--estimator", "x"), ("--job", "3/2"), ("--job", "0/2"), ("--job", "x")):
+            self.refuse(2, "benchmark", option, value, "-o", "x.jsonl", naming=option)
+        self.refuse(2, "benchmark", "--set", "fusion.bogus=1", "-o", "x.jsonl", naming="fusion.bogus")
+        self.refuse(2, "benchmark", "--km", 0, "-o", "x.jsonl", naming="--km")
+        self.refuse(2, "benchmark", "-o", "nowhere/x.jsonl", naming="nowhere")
+
+    def test_results_are_looked_for(self):
+        for command in (["table", "none"], ["compare", "none", "none"], ["merge", "none", "-o", "x"]):
+            self.refuse(3, "benchmark", *command, naming="none")
+
+    def test_merging_overwrites_nothing_unasked(self):
+        (self.folder / "empty.jsonl").touch()
+        (self.folder / "there.jsonl").touch()
+        self.refuse(2, "benchmark", "merge", "empty.jsonl", "-o", "there.jsonl", naming="--force")
+        self.refuse(2, "benchmark", "merge", "empty.jsonl", "-o", "empty.jsonl", "--force", naming="is the input")
+        self.refuse(2, "benchmark", "table", "empty.jsonl", naming="empty.jsonl")
+
+
+class List(BenchmarkTest):
+    def test_it_names_the_drives_and_drives_none(self):
+        listed = self.succeed("benchmark", "--suite", "ablations", "--seeds", "4,5", "--list")
+        self.assertEqual({drive["variant"] for drive in listed},
+                         {"full", "no-objects", "no-high-resolution-camera", "no-serial-camera", "no-width", "no-smoothing",
+                          "no-switches"})
+        self.assertEqual({(drive["scene"], drive["road"], drive["km"]) for drive in listed}, {("nominal", "gentle", 24)})
+        text = self.call("benchmark", "--suite", "ablations", "--seeds", "4,5", "--list").stdout
+        self.assertEqual(len(text.splitlines()), len(listed))
+
+    def test_the_array_script_drives_them_one_process_each(self):
+        script = program.SOURCE / "tools" / "benchmark-slurm.sh"
+        done = subprocess.run([str(script), "--local", "array", "--km", "0.3", "--road", "gentle", "--seeds", "1-2"],
+                              cwd=self.folder, capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([line["seed"] for line in self.lines("array/results.jsonl")], [1, 2])
+        self.assertEqual(sorted(p.name for p in (self.folder / "array").glob("drive-*.jsonl")),
+                         ["drive-1.jsonl", "drive-2.jsonl"])
+        self.assertTrue(re.search("2 drives", done.stdout))
+
+
+if __name__ == "__main__":
+    program.main()
