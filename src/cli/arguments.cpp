@@ -118,6 +118,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
+  add_map(*line);
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

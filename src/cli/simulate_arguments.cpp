@@ -11,8 +11,8 @@ namespace {
 void add_replay(CLI::App& command, ReplayOptions& replay) {
   CLI::Option* file = command.add_option("--commonroad", replay.scenario,
                                          "replay the traffic recorded in a CommonRoad scenario (.xml)");
-  for (const char* other : {"--km", "--road", "--scenario", "--list-scenarios", "--no-serial-camera",
-                            "--no-high-resolution-camera", "--no-objects"}) {
+  for (const char* other : {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios",
+                            "--no-serial-camera", "--no-high-resolution-camera", "--no-objects"}) {
     file->excludes(command.get_option(other));
   }
   command
@@ -53,11 +53,29 @@ void add_simulate(CommandLine& line) {
       .add_option("--scenario", options.scenario,
                   "what happens: a name from --list-scenarios, or a file (.yaml)")
       ->default_str("nominal");
+  command.add_option("--map", options.map,
+                     "drive on a map's road (.xodr, .osm, .xml of CommonRoad, .geojson)");
+  command.add_option("--write-map", options.write_map,
+                     "write the road as a map, too (.xodr, .osm, .geojson)");
   command.add_flag("--list-scenarios", options.list_scenarios, "print the scenarios' names, and stop");
   const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
     command.add_flag_callback(
         flag, [&sensor] { sensor = false; }, "leave out the " + what);
   };
+  command.add_flag("--gnss-ins", config.gnss_ins, "add RTK-GNSS/INS, for surveys and for maps");
+  command.add_option("--road-seed", config.road_seed, "of the road alone, so that several drives share it")
+      ->check(not_negative);
+  command
+      .add_option_function<int>(
+          "--lane", [&config](int lane) { config.ego_lane = lane - 1; },
+          "the lane to start in, from 1 on the left; else the middle one")
+      ->check(CLI::Range(1, 20));
+  command
+      .add_option_function<std::string>(
+          "--ego-lane-changes", [&config](const std::string& how) { config.ego_lane_changes = how == "on"; },
+          "whether the car changes its lane")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->default_str("on");
   leave_out("--no-serial-camera", config.serial_camera, "serial camera");
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
   leave_out("--no-objects", config.objects, "object lists");

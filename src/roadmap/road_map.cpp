@@ -53,10 +53,12 @@ void check_boundary(const MapBoundary& boundary, const std::string& place) {
   if (!in_order) throw input_error(here, "has marking styles out of order");
 }
 
-void check_lane(const RoadMap& map, const MapLane& lane, const std::string& place) {
+using Ids = std::set<std::uint64_t>;
+
+void check_lane(const MapLane& lane, const Ids& boundaries, const Ids& lanes, const std::string& place) {
   const std::string here = fmt::format("{}, lane {}", place, lane.id);
   for (const std::uint64_t boundary : {lane.left_boundary, lane.right_boundary}) {
-    if (!find_boundary(map, boundary)) {
+    if (boundaries.count(boundary) == 0) {
       throw input_error(here, fmt::format("refers to boundary {}, which is not there", boundary));
     }
   }
@@ -64,21 +66,22 @@ void check_lane(const RoadMap& map, const MapLane& lane, const std::string& plac
   if (lane.left_lane) others.push_back(*lane.left_lane);
   if (lane.right_lane) others.push_back(*lane.right_lane);
   for (const std::uint64_t other : others) {
-    if (!find_lane(map, other)) {
+    if (lanes.count(other) == 0) {
       throw input_error(here, fmt::format("refers to lane {}, which is not there", other));
     }
   }
 }
 
 template <typename Item>
-void check_ids(const std::vector<Item>& items, const char* what, const std::string& place) {
-  std::set<std::uint64_t> seen;
+Ids checked_ids(const std::vector<Item>& items, const char* what, const std::string& place) {
+  Ids seen;
   for (const Item& item : items) {
     if (item.id == 0) throw input_error(place, fmt::format("a {} has the id 0", what));
     if (!seen.insert(item.id).second) {
       throw input_error(place, fmt::format("{} {} is there twice", what, item.id));
     }
   }
+  return seen;
 }
 
 }  // namespace
@@ -112,10 +115,10 @@ const MapBoundary* find_boundary(const RoadMap& map, std::uint64_t id) {
 const MapLane* find_lane(const RoadMap& map, std::uint64_t id) { return find_by_id(map.lanes, id); }
 
 void check(const RoadMap& map, const std::string& place) {
-  check_ids(map.boundaries, "boundary", place);
-  check_ids(map.lanes, "lane", place);
+  const Ids boundaries = checked_ids(map.boundaries, "boundary", place);
+  const Ids lanes = checked_ids(map.lanes, "lane", place);
   for (const MapBoundary& boundary : map.boundaries) check_boundary(boundary, place);
-  for (const MapLane& lane : map.lanes) check_lane(map, lane, place);
+  for (const MapLane& lane : map.lanes) check_lane(lane, boundaries, lanes, place);
 }
 
 TrueRoad true_road(const RoadMap& map) {
