@@ -22,7 +22,7 @@ void check_straightness(const Road& road) {
     const bool whole = road.lane_begin(lane) <= 1 && road.lane_end(lane) >= road.length() - 1;
     for (double station = 0; station <= road.length(); station += 50) {
       if (whole && std::abs(road.lane_centre_slope(lane, station)) < 1e-9) continue;
-      throw configuration_error("traffic sumo",
+      throw configuration_error("--traffic sumo",
                                 fmt::format("lane {} begins, ends or moves near {:.0f} m", lane, station),
                                 "use the built-in traffic on such a road");
     }
@@ -46,6 +46,17 @@ const char* kTypes =
     "<vType id=\"truck\" vClass=\"truck\" length=\"13\" width=\"2.5\" maxSpeed=\"24.5\" accel=\"0.7\" "
     "lcSigma=\"0.2\" "
     "maxSpeedLat=\"1\" minGapLat=\"0.6\"/>\n";
+
+void check_wishes(const TrafficConfig& config) {
+  const char* wish = config.jam_speed         ? "a jam of a given speed"
+                     : config.lead_truck_gap  ? "a truck ahead of the ego car"
+                     : config.ego_stop_and_go ? "an ego car that stops and goes"
+                                              : nullptr;
+  if (wish) {
+    throw configuration_error("--traffic sumo", fmt::format("SUMO's drivers do not know {}", wish),
+                              "use the built-in traffic for such a scenario");
+  }
+}
 
 std::string vehicle_element(std::int64_t id, const char* type, int lane, double station) {
   return fmt::format(
@@ -77,23 +88,25 @@ std::string sumo_network(const Road& road) {
 }
 
 std::string sumo_vehicles(const Road& road, const TrafficConfig& config, double start, std::uint64_t seed) {
+  check_wishes(config);
+  const auto from_right = [&road](int lane) { return road.lane_count() - 1 - lane; };
   Random random(seed, "sumo");
   const TrafficFlow flow(config);
-  std::string vehicles = fmt::format(
+  const std::string ego_type = fmt::format(
       "<vType id=\"ego\" length=\"4.8\" width=\"1.85\" maxSpeed=\"{}\" speedFactor=\"1\" speedDev=\"0\" "
       "lcSigma=\"0.2\" "
       "maxSpeedLat=\"1.5\" minGapLat=\"0.6\"/>\n",
       config.ego.speed);
-  const int ego_lane = road.lane_count() / 2;
-  std::string text = fmt::format("<routes>\n{}{}<route id=\"road\" edges=\"road\"/>\n", kTypes, vehicles);
-  text += vehicle_element(0, "ego", ego_lane, start);
+  const int ego_lane = config.ego_lane.value_or(road.lane_count() / 2);
+  std::string text = fmt::format("<routes>\n{}{}<route id=\"road\" edges=\"road\"/>\n", kTypes, ego_type);
+  text += vehicle_element(0, "ego", from_right(ego_lane), start);
   std::int64_t id = 1;
   for (int lane = 0; lane < road.lane_count(); ++lane) {
     double station = flow.draw_headway(random);
     for (; station < road.length(); station += std::max(kLongestVehicle + 3, flow.draw_headway(random))) {
-      const bool truck = lane == 0 && random.chance(config.preset.trucks * road.lane_count());
+      const bool truck = from_right(lane) == 0 && random.chance(config.preset.trucks * road.lane_count());
       if (lane == ego_lane && std::abs(station - start) < kClearOfEgo) continue;
-      text += vehicle_element(id++, truck ? "truck" : "car", lane, station);
+      text += vehicle_element(id++, truck ? "truck" : "car", from_right(lane), station);
     }
   }
   return text + "</routes>\n";

@@ -9,7 +9,7 @@
 namespace lanefuse {
 
 std::unique_ptr<TrafficModel> sumo_traffic(const Road&, const TrafficConfig&, double, std::uint64_t) {
-  throw configuration_error("traffic sumo", "this program was built without SUMO",
+  throw configuration_error("--traffic sumo", "this program was built without SUMO",
                             "install the package sumo and configure with -DLANEFUSE_SUMO=ON");
 }
 
@@ -37,6 +37,7 @@ namespace {
 constexpr double kStep = 0.05;          ///< [s] of SUMO
 constexpr double kReach = 300;          ///< [m] ahead of and behind the ego car
 constexpr double kReaction = 0.4;       ///< [s] of the hands and of the car: SUMO moves sideways by jerks
+constexpr int kKeepsItsLane = 512;      ///< SUMO's mode of a vehicle that changes no lane by itself
 constexpr double kFrontOverhang = 0.9;  ///< [m] of the ego car
 
 /// A folder for SUMO's input files, gone with its owner.
@@ -117,7 +118,7 @@ class SumoTraffic final : public TrafficModel {
 SumoTraffic::SumoTraffic(const Road& road, const TrafficConfig& config, double start, std::uint64_t seed)
     : road_(road) {
   if (libsumo::Simulation::isLoaded()) {
-    throw configuration_error("traffic sumo", "SUMO runs already in this process",
+    throw configuration_error("--traffic sumo", "SUMO runs already in this process",
                               "run one drive after the other");
   }
   const ScratchFolder folder;
@@ -129,8 +130,11 @@ SumoTraffic::SumoTraffic(const Road& road, const TrafficConfig& config, double s
                               "--no-step-log", "--xml-validation", "never", "--time-to-teleport", "-1"});
   step();
   step();
+  if (vehicles_.contains(kEgoId) && config.ego.lane_change_every == TrafficConfig::kNever)
+    libsumo::Vehicle::setLaneChangeMode(kSumoEgo, kKeepsItsLane);
   if (!vehicles_.contains(kEgoId))
-    throw configuration_error("traffic sumo", "SUMO found no room for the ego car", "choose a lower density");
+    throw configuration_error("--traffic sumo", "SUMO found no room for the ego car",
+                              "choose a lower density");
 }
 
 /// Vehicles that SUMO no longer has are forgotten.
