@@ -30,12 +30,16 @@ struct Range {
   }
 };
 
-/// The distance between a lane's boundaries, at the points of the left one that lie beside the right one.
+constexpr std::size_t kWidths = 1000;  // measured along a lane at most
+
+/// The distance between a lane's boundaries, at points of the left one that lie beside the right one.
 Range width_of(const RoadMap& map, const MapLane& lane) {
   const MapBoundary& left = *find_boundary(map, lane.left_boundary);
   const MeasuredLine right(find_boundary(map, lane.right_boundary)->points);
   Range width;
-  for (const Eigen::Vector3d& point : left.points) {
+  const std::size_t stride = 1 + left.points.size() / kWidths;
+  for (std::size_t i = 0; i < left.points.size(); i += stride) {
+    const Eigen::Vector3d& point = left.points[i];
     const double arc = right.nearest(point);
     if (arc > 0 && arc < right.length()) width.add((point - right.at(arc)).head<2>().norm());
   }
