@@ -50,4 +50,7 @@ void add_evaluate(CommandLine& line);
 void add_map(CommandLine& line);
 void add_simulate(CommandLine& line);
 
+/// The subcommands of `map` that make maps of drives and use them.
+void add_survey(CLI::App& map, CommandLine& line);
+
 }  // namespace lanefuse

@@ -29,6 +29,7 @@ void add_map(CommandLine& line) {
   demand_subcommand(map);
   add_info(map, line);
   add_convert(map, line);
+  add_survey(map, line);
 }
 
 }  // namespace lanefuse

@@ -170,6 +170,7 @@ int run(const RunOptions& options) {
   Measurement measurement;
   Time end{};
   while (reader.next(measurement)) {
+    if (std::holds_alternative<GnssInsFix>(measurement)) continue;  // no input of lanes
     end = std::max(end, stamp_of(measurement).received_at);
     advance(perception, end, watch, totals, writer);
     perception.add(measurement);

@@ -62,6 +62,20 @@ void add_simulate(CommandLine& line) {
     command.add_flag_callback(
         flag, [&sensor] { sensor = false; }, "leave out the " + what);
   };
+  command.add_flag("--gnss-ins", config.gnss_ins, "add RTK-GNSS/INS, for surveys and for maps");
+  command.add_option("--road-seed", config.road_seed, "of the road alone, so that several drives share it")
+      ->check(not_negative);
+  command
+      .add_option_function<int>(
+          "--lane", [&config](int lane) { config.ego_lane = lane - 1; },
+          "the lane to start in, from 1 on the left; else the middle one")
+      ->check(CLI::Range(1, 20));
+  command
+      .add_option_function<std::string>(
+          "--ego-lane-changes", [&config](const std::string& how) { config.ego_lane_changes = how == "on"; },
+          "whether the car changes its lane")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->default_str("on");
   leave_out("--no-serial-camera", config.serial_camera, "serial camera");
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
   leave_out("--no-objects", config.objects, "object lists");

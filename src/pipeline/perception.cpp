@@ -21,6 +21,7 @@ struct ItemCount {
   std::uint64_t operator()(const MarkingFeatures& markings) const { return markings.features.size(); }
   std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
+  std::uint64_t operator()(const GnssInsFix&) const { return 0; }
 };
 
 std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
@@ -98,6 +99,8 @@ void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
 }
 
 void MultiLanePerception::add(Measurement measurement) {
+  // Lanes are estimated without knowing where on Earth the car is: not even the cycles' clock may notice.
+  if (std::holds_alternative<GnssInsFix>(measurement)) return;
   inputs_.dropped += std::visit(Bound{config_.max_objects, config_.fusion.max_features}, measurement);
   if (implausible(measurement)) {
     inputs_.rejected += item_count(measurement);

@@ -3,6 +3,7 @@
 #include "recording/measurement_codec.hpp"
 
 #include "recording/camera_codec.hpp"
+#include "recording/gnss_ins_codec.hpp"
 #include "recording/motion_codec.hpp"
 #include "recording/object_codec.hpp"
 #include "recording/radar_codec.hpp"
@@ -29,6 +30,7 @@ struct Encoder {
   }
   Messages operator()(const RadarScan& scan) const { return {{topic::kRadar, encode_radar_scan(scan)}}; }
   Messages operator()(const ObjectList& list) const { return {{topic::kObjects, encode_objects(list)}}; }
+  Messages operator()(const GnssInsFix& fix) const { return {{topic::kGnssIns, encode_gnss_ins(fix)}}; }
 };
 
 template <auto decode>
@@ -49,6 +51,7 @@ MeasurementDecoder decoder_of(std::string_view topic) {
   if (topic == topic::kHighResolutionCamera) return &decoded<decode_marking_features>;
   if (topic == topic::kRadar) return &decoded<decode_radar_scan>;
   if (topic == topic::kObjects) return &decoded<decode_objects>;
+  if (topic == topic::kGnssIns) return &decoded<decode_gnss_ins>;
   return nullptr;
 }
 

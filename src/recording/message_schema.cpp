@@ -8,6 +8,7 @@
 #include <google/protobuf/descriptor.pb.h>
 
 #include "foxglove/frame_transforms.pb.h"
+#include "foxglove/location_fix.pb.h"
 #include "foxglove/log.pb.h"
 #include "foxglove/scene.pb.h"
 #include "lanefuse/debug_view.pb.h"
@@ -41,6 +42,7 @@ constexpr Entry kEntries[] = {
     {topic::kHighResolutionCamera, &v1::MarkingFeatures::descriptor},
     {topic::kRadar, &v1::RadarScan::descriptor},
     {topic::kObjects, &osi3::SensorData::descriptor},
+    {topic::kGnssIns, &foxglove::LocationFix::descriptor},
     {topic::kLanes, &v1::LaneEstimate::descriptor},
     {topic::kLaneBoundaries, &osi3::SensorData::descriptor},
     {topic::kFusedFeatures, &v1::FusedFeatures::descriptor},

@@ -3,7 +3,10 @@
 #include "recording/recording_head.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -31,6 +34,11 @@ class HeadRecord {
     const auto found = fields_->find(key);
     if (found == fields_->end()) refuse(fmt::format("its metadata record \"lanefuse\" has no {}", key));
     return found->second;
+  }
+
+  [[nodiscard]] const std::string* find(const std::string& key) const {
+    const auto found = fields_->find(key);
+    return found == fields_->end() ? nullptr : &found->second;
   }
 
   void expect(const std::string& key, const std::string& value) const {
@@ -73,17 +81,44 @@ WitnessRule take_witness(const HeadRecord& record, const std::string& key) {
   record.refuse(fmt::format("its {} \"{}\" is unknown", key, record.at(key)));
 }
 
+/// Latitude and longitude [deg] and height [m].
+std::string to_text(const GeoOrigin& origin) {
+  return fmt::format("{} {} {}", origin.latitude_deg, origin.longitude_deg, origin.height);
+}
+
+std::optional<GeoOrigin> take_origin(const HeadRecord& record) {
+  const std::string* text = record.find("origin");
+  if (!text) return std::nullopt;
+  std::array<double, 3> numbers{};
+  const char* next = text->data();
+  const char* end = next + text->size();
+  for (double& number : numbers) {
+    while (next != end && *next == ' ') ++next;
+    const auto [rest, problem] = std::from_chars(next, end, number);
+    if (problem != std::errc{}) record.refuse(fmt::format("its origin \"{}\" is not three numbers", *text));
+    next = rest;
+  }
+  const auto [latitude, longitude, height] = numbers;
+  // Also false for what is not a number.
+  const bool on_earth = std::abs(latitude) <= 90 && std::abs(longitude) <= 180 && std::abs(height) < 1e5;
+  if (next != end || !on_earth) record.refuse(fmt::format("its origin \"{}\" is no place on Earth", *text));
+  return GeoOrigin{latitude, longitude, height};
+}
+
 }  // namespace
 
 mcap::Metadata to_metadata(const RecordingHead& head) {
+  // The lowest version that has all that the file holds, so that what is not new is written as ever.
+  const bool has_origin = head.kind == RecordingHead::Kind::drive && head.drive.origin;
   mcap::Metadata record{kRecordName, {}};
-  record.metadata = {{"schema_version", fmt::format("{}.{}", kFormatMajor, kFormatMinor)},
+  record.metadata = {{"schema_version", fmt::format("{}.{}", kFormatMajor, has_origin ? kFormatMinor : 0)},
                      {"kind", to_string(head.kind)},
                      {"frame", kDeclaredFrame},
                      {"marking_reference", kMarkingReference},
                      {"drive", head.drive.name},
                      {"preset_hash", head.drive.preset_hash},
                      {"witness", lanefuse::to_string(head.drive.witness)}};
+  if (has_origin) record.metadata["origin"] = to_text(*head.drive.origin);
   if (head.kind == RecordingHead::Kind::lanes) {
     record.metadata["run_witness"] = lanefuse::to_string(head.run.witness);
     record.metadata["estimator"] = head.run.estimator;
@@ -110,7 +145,8 @@ RecordingHead read_head(const std::vector<mcap::Metadata>& records, RecordingHea
   record.expect("marking_reference", kMarkingReference);
   RecordingHead head;
   head.kind = kind;
-  head.drive = {record.at("drive"), record.at("preset_hash"), take_witness(record, "witness")};
+  head.drive = {record.at("drive"), record.at("preset_hash"), take_witness(record, "witness"),
+                take_origin(record)};
   if (kind == RecordingHead::Kind::lanes) {
     head.run = {take_witness(record, "run_witness"), record.at("estimator"), record.at("configuration_hash")};
   }

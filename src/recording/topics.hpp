@@ -15,6 +15,7 @@ inline constexpr char kSerialCamera[] = "/in/serial_camera";
 inline constexpr char kHighResolutionCamera[] = "/in/high_resolution_camera";
 inline constexpr char kRadar[] = "/in/radar";
 inline constexpr char kObjects[] = "/in/objects";
+inline constexpr char kGnssIns[] = "/in/gnss_ins";
 
 inline constexpr char kLanes[] = "/out/lanes";
 inline constexpr char kLaneBoundaries[] = "/out/lane_boundaries";

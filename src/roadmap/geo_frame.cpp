@@ -3,6 +3,7 @@
 #include "roadmap/geo_frame.hpp"
 
 #include <GeographicLib/Constants.hpp>
+#include <numbers>
 
 namespace lanefuse {
 
@@ -18,6 +19,16 @@ Eigen::Vector3d GeoFrame::local(const GeoOrigin& place) const {
   double y = 0;
   projection_.Forward(origin_.longitude_deg, place.latitude_deg, place.longitude_deg, x, y);
   return {x, y - northing_, place.height - origin_.height};
+}
+
+double GeoFrame::convergence(const GeoOrigin& place) const {
+  double x = 0;
+  double y = 0;
+  double convergence_deg = 0;
+  double scale = 0;
+  projection_.Forward(origin_.longitude_deg, place.latitude_deg, place.longitude_deg, x, y, convergence_deg,
+                      scale);
+  return convergence_deg * std::numbers::pi / 180;
 }
 
 GeoOrigin GeoFrame::place(const Eigen::Vector3d& local) const {

@@ -19,6 +19,9 @@ class GeoFrame {
   /// [m] in the local frame.
   [[nodiscard]] Eigen::Vector3d local(const GeoOrigin& place) const;
   [[nodiscard]] GeoOrigin place(const Eigen::Vector3d& local) const;
+  /// [rad] by which a heading in the local frame exceeds the same one counted from the east of that place:
+  /// meridians meet at the poles.
+  [[nodiscard]] double convergence(const GeoOrigin& place) const;
 
  private:
   GeoOrigin origin_;

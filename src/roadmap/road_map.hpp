@@ -10,17 +10,10 @@
 #include <Eigen/Core>
 
 #include "core/feature.hpp"
+#include "sensors/geo_origin.hpp"
 #include "sensors/truth.hpp"
 
 namespace lanefuse {
-
-/// Where a map's local frame lies on Earth (WGS 84): its origin, x to the east, y to the north, z up.
-struct GeoOrigin {
-  double latitude_deg = 0;   ///< [-90, 90]
-  double longitude_deg = 0;  ///< [-180, 180]
-  double height = 0;         ///< [m] above the ellipsoid
-  friend bool operator==(const GeoOrigin&, const GeoOrigin&) = default;
-};
 
 /// How a boundary is painted from one place on, until the next style begins.
 struct MarkingStyle {

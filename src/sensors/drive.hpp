@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "sensors/geo_origin.hpp"
+
 namespace lanefuse {
 
 /// Which sensors must have verified a vehicle before it may bear witness of a lane.
@@ -20,6 +22,7 @@ struct DriveInfo {
   std::string name;         ///< says where it comes from: "simulated, seed 1", "comma2k19 .../40"
   std::string preset_hash;  ///< of the sensor preset that made it, empty for real drives
   WitnessRule witness = WitnessRule::radar_and_camera;
+  std::optional<GeoOrigin> origin = {};  ///< of the truth's world frame, where that is known
   friend bool operator==(const DriveInfo&, const DriveInfo&) = default;
 };
 

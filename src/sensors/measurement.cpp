@@ -3,6 +3,7 @@
 #include "sensors/measurement.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -63,9 +64,32 @@ struct Plausibility {
   }
   std::optional<std::string> operator()(const RadarScan&) const { return {}; }
   std::optional<std::string> operator()(const ObjectList&) const { return {}; }
+  std::optional<std::string> operator()(const GnssInsFix& fix) const {
+    const bool on_earth = std::abs(fix.latitude) <= std::numbers::pi / 2 &&
+                          std::abs(fix.longitude) <= std::numbers::pi && is_within(fix.height, 1e5);
+    if (!on_earth) return "position is not on Earth";
+    if (!is_within(fix.heading, kLargestTurn)) return "heading is no angle";
+    if (!is_covariance(fix.position_covariance)) return "covariance of the position is none";
+    if (!(fix.heading_sigma > 0 && fix.heading_sigma < kLargestTurn)) return "heading's sigma is none";
+    return {};
+  }
 };
 
 }  // namespace
+
+const char* to_string(FixKind kind) {
+  switch (kind) {
+    case FixKind::unknown:
+      return "unknown";
+    case FixKind::single:
+      return "single";
+    case FixKind::rtk_float:
+      return "rtk_float";
+    case FixKind::rtk_fixed:
+      return "rtk_fixed";
+  }
+  return "?";
+}
 
 const Stamp& stamp_of(const Measurement& measurement) {
   return std::visit([](const auto& alternative) -> const Stamp& { return alternative.stamp; }, measurement);

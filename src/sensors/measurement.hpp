@@ -91,8 +91,25 @@ struct ObjectList {
   std::vector<TrackedObject> objects;
 };
 
-/// Anything that a drive's sensors gave.
-using Measurement = std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList>;
+enum class FixKind : std::uint8_t { unknown = 0, single = 1, rtk_float = 2, rtk_fixed = 3 };
+const char* to_string(FixKind kind);
+
+/// Where a GNSS receiver with inertial sensors says that its frame is on Earth (WGS 84). For surveying roads
+/// and finding a place in a map; it is no input of what estimates lanes.
+struct GnssInsFix {
+  Stamp stamp;
+  double latitude = 0;   ///< [rad] in [-pi/2, pi/2]
+  double longitude = 0;  ///< [rad] in [-pi, pi]
+  double height = 0;     ///< [m] above the ellipsoid
+  double heading = 0;    ///< [rad] of the x axis, counter-clockwise from the east of this place
+  Eigen::Matrix3d position_covariance = Eigen::Matrix3d::Identity();  ///< [m^2] of (east, north, up)
+  double heading_sigma = 0.01;                                        ///< [rad]
+  FixKind kind = FixKind::unknown;
+};
+
+/// Anything that a drive's sensors gave. The order is kept: only append.
+using Measurement =
+    std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList, GnssInsFix>;
 
 const Stamp& stamp_of(const Measurement& measurement);
 

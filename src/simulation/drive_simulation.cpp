@@ -6,19 +6,40 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
+#include "simulation/gnss_ins_model.hpp"
 #include "simulation/high_resolution_camera_model.hpp"
 #include "simulation/object_list_model.hpp"
 #include "simulation/odometry_model.hpp"
 #include "simulation/serial_camera_model.hpp"
+#include "simulation/traffic_lanes.hpp"
 
 namespace lanefuse {
+namespace {
+
+void check_lane(int lane, const DriveRoad& there) {
+  const TrafficLanes lanes(there.road);
+  if (lane >= 0 && lane < lanes.count() && lanes.is_through(lane, there.start)) return;
+  throw configuration_error("simulation", fmt::format("no lane {} leads on where the drive begins", lane + 1),
+                            "the leftmost lane is 1");
+}
+
+TrafficConfig traffic_of(const SimulationConfig& config, const SensorPreset& preset, const DriveRoad& there) {
+  TrafficConfig traffic = traffic_config(config.scenario, preset);
+  traffic.ego_lane = config.ego_lane;
+  if (config.ego_lane) check_lane(*config.ego_lane, there);
+  if (!config.ego_lane_changes) traffic.ego.lane_change_every = TrafficConfig::kNever;
+  return traffic;
+}
+
+}  // namespace
 
 DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPreset& preset)
     : config_(config),
       preset_(preset),
-      drive_road_(std::make_unique<DriveRoad>(
-          drive_road(config.scenario, config.road, config.km, preset.road, config.seed))),
-      traffic_(std::make_unique<Traffic>(drive_road_->road, traffic_config(config.scenario, preset),
+      drive_road_(std::make_unique<DriveRoad>(drive_road(config.scenario, config.road, config.km, preset.road,
+                                                         config.road_seed.value_or(config.seed)))),
+      traffic_(std::make_unique<Traffic>(drive_road_->road, traffic_of(config, preset, *drive_road_),
                                          drive_road_->start, config.seed)),
       ego_station_(drive_road_->start),
       suite_(preset.fusion_hz) {
@@ -36,6 +57,9 @@ void DriveSimulation::add_sensors() {
     add_sensor(std::make_unique<HighResolutionCameraModel>(preset_, seed));
   }
   if (config_.objects && there.objects) add_sensor(std::make_unique<ObjectListModel>(preset_, seed));
+  if (config_.gnss_ins && drive_road_->origin) {
+    add_sensor(std::make_unique<GnssInsModel>(preset_.gnss_ins, *drive_road_->origin, seed));
+  }
 }
 
 void DriveSimulation::add_sensor(std::unique_ptr<SensorModel> sensor) {
@@ -57,7 +81,11 @@ DriveInfo DriveSimulation::info() const {
   std::string name =
       fmt::format("simulated, seed {}, {} km, {}", config_.seed, config_.km, drive_road_->name);
   if (config_.scenario.name != Scenario{}.name) name += fmt::format(", {}", config_.scenario.name);
-  return {name, preset_.hash, WitnessRule::radar_and_camera};
+  if (config_.road_seed) name += fmt::format(", road seed {}", *config_.road_seed);
+  if (config_.ego_lane) name += fmt::format(", lane {}", *config_.ego_lane + 1);
+  DriveInfo info{name, preset_.hash, WitnessRule::radar_and_camera};
+  if (config_.gnss_ins) info.origin = drive_road_->origin;
+  return info;
 }
 
 double DriveSimulation::progress() const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sensors/drive.hpp"
@@ -26,6 +27,10 @@ struct SimulationConfig {
   bool serial_camera = true;
   bool high_resolution_camera = true;
   bool objects = true;
+  bool gnss_ins = false;                   ///< only for surveys; the drive then says where on Earth it is
+  std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
+  std::optional<int> ego_lane;             ///< to start in, from the left, from zero; else the middle one
+  bool ego_lane_changes = true;            ///< whether the ego car may leave its lane
   Scenario scenario;  ///< the nominal one, if nothing is said; what it leaves out is off, too
 };
 

@@ -147,6 +147,16 @@ CameraBoxesPreset read_camera_boxes(PresetSection boxes) {
   return {boxes.positive("range_m"), detection.share("near"), detection.share("at_90_m")};
 }
 
+GnssInsPreset read_gnss_ins(PresetSection gnss_ins) {
+  GnssInsPreset preset;
+  preset.hz = gnss_ins.positive("hz");
+  preset.position = gnss_ins.positive("position_m");
+  preset.position_tau = gnss_ins.positive("position_tau_s");
+  preset.heading = gnss_ins.positive("heading_deg") * kDegree;
+  gnss_ins.finish();
+  return preset;
+}
+
 SurveyedTruthPreset read_surveyed_truth(PresetSection truth) {
   truth.leave("exact");
   PresetSection surveyed = truth.section("surveyed");
@@ -182,8 +192,9 @@ SensorPreset parse_preset(std::string_view text, const std::string& place) {
   preset.object_list = read_object_list(file.section("object_list"));
   preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
   preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
+  preset.gnss_ins = read_gnss_ins(file.section("gnss_ins"));
   preset.surveyed_truth = read_surveyed_truth(file.section("truth"));
-  for (const char* later : {"conventions", "short_range_radar", "ghosts", "gnss_ins"}) file.leave(later);
+  for (const char* later : {"conventions", "short_range_radar", "ghosts"}) file.leave(later);
   file.finish();
   return preset;
 }

@@ -125,6 +125,13 @@ struct SurveyedTruthPreset {
   double heading = 0;   ///< [rad] about the car
 };
 
+struct GnssInsPreset {
+  double hz = 0;
+  double position = 0;      ///< [m] sigma of each coordinate
+  double position_tau = 0;  ///< [s]
+  double heading = 0;       ///< [rad] sigma
+};
+
 struct SensorPreset {
   std::string hash;  ///< of the file's bytes: FNV-1a 64, sixteen hexadecimal digits
   RoadPreset road;
@@ -138,6 +145,7 @@ struct SensorPreset {
   ObjectListPreset object_list;
   LongRangeRadarPreset long_range_radar;
   CameraBoxesPreset camera_boxes;
+  GnssInsPreset gnss_ins;
   SurveyedTruthPreset surveyed_truth;
 };
 

@@ -22,6 +22,7 @@ struct TrafficConfig {
 
   TrafficPreset preset;                ///< density, trucks, lane changes, wander
   EgoPreset ego;                       ///< `lane_change_every` may be kNever
+  std::optional<int> ego_lane;         ///< that the ego car starts in; else the middle one
   double truck_change_every = kNever;  ///< [s] mean, a truck; they keep to the right lane otherwise
   /// [m/s] Mean speed of a jam. Without it, drivers are as fast as the density lets them. A flow below
   /// 15 m/s goes in waves.

@@ -29,7 +29,7 @@ Vehicle VehicleDraws::place(int lane, double station, double width, double bias)
 }
 
 Vehicle VehicleDraws::ego(double station) {
-  Vehicle ego = place(lanes_.middle(station), station, 1.85, 0);
+  Vehicle ego = place(config_.ego_lane.value_or(lanes_.middle(station)), station, 1.85, 0);
   ego.id = kEgoId;
   ego.front = 0.9;
   ego.rear = 3.9;

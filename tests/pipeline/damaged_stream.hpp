@@ -22,6 +22,7 @@ struct Items {
   std::uint64_t operator()(const MarkingFeatures& markings) const { return markings.features.size(); }
   std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
+  std::uint64_t operator()(const GnssInsFix&) const { return 0; }
 };
 
 /// What the accounting must add up to.
@@ -35,6 +36,7 @@ inline std::uint64_t items_in(const std::vector<Measurement>& stream) {
 struct AddDamagedItem {
   void operator()(VehicleMotion&) const {}
   void operator()(SerialLane&) const {}
+  void operator()(GnssInsFix&) const {}
   void operator()(MarkingFeatures& markings) const {
     insert(markings.features, Feature{kNotANumber, 0, 0, 0.5});
   }
