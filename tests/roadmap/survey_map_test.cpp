@@ -14,11 +14,11 @@
 namespace lanefuse {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using testing::kLaneWidth;
 using testing::kOrigin;
 using testing::SurveyDriver;
-using testing::ThrowsMessage;
+using ::testing::ThrowsMessage;
 
 SurveyedDrive surveyed(const std::vector<Measurement>& measurements) {
   SurveyRecorder recorder("drive.mcap", GeoFrame(kOrigin), testing::survey_rig());
