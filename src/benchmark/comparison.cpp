@@ -40,18 +40,20 @@ Side by_drive(std::span<const ResultLine> lines, bool by_system) {
   return side;
 }
 
-using PresetByScene = std::map<std::pair<std::string, std::string>, const ResultLine*>;
-
-void demand_same_presets(std::span<const ResultLine> a, std::span<const ResultLine> b) {
-  PresetByScene first;
+void demand_same_sensors_and_scenes(std::span<const ResultLine> a, std::span<const ResultLine> b) {
+  std::map<std::string, const ResultLine*> first_of_scene;
+  const ResultLine* first = nullptr;
   for (const auto& side : {a, b}) {
     for (const ResultLine& line : side) {
-      const ResultLine& other = *first.try_emplace({line.key.scene, line.key.road}, &line).first->second;
-      if (other.provenance.preset == line.provenance.preset) continue;
-      throw configuration_error(line.place,
-                                fmt::format("was simulated with preset {}, {} with {}",
-                                            line.provenance.preset, other.place, other.provenance.preset),
-                                "only drives with the same sensors can be compared");
+      if (!first) first = &line;
+      const ResultLine& alike = *first_of_scene.try_emplace(line.key.scene, &line).first->second;
+      const auto refuse = [&line](const ResultLine& other, const char* what) {
+        throw configuration_error(line.place,
+                                  fmt::format("was simulated with another {} than {}", what, other.place),
+                                  "only drives that were simulated alike can be compared");
+      };
+      if (line.provenance.preset != first->provenance.preset) refuse(*first, "preset");
+      if (line.provenance.scene != alike.provenance.scene) refuse(alike, "scenario");
     }
   }
 }
@@ -151,7 +153,7 @@ const char* to_string(Verdict verdict) {
 }
 
 Comparison compare(std::span<const ResultLine> a, std::span<const ResultLine> b) {
-  demand_same_presets(a, b);
+  demand_same_sensors_and_scenes(a, b);
   const bool by_system = systems_of(a).size() > 1 || systems_of(b).size() > 1;
   const Side in_a = by_drive(a, by_system);
   const Side in_b = by_drive(b, by_system);

@@ -47,8 +47,8 @@ inline constexpr double kSignificance = 0.05;
 /// variant and estimator is compared whatever the other's is called; else both must be named alike. Where no
 /// drive is in both, the sides are compared as a whole if they hold the same kinds of drives.
 ///
-/// Throws a configuration Error where there is nothing to compare, where the presets of a scene differ, or
-/// where one side holds a drive twice.
+/// Throws a configuration Error where there is nothing to compare, where presets differ or
+/// the scenarios of one scene do, and where one side holds a drive twice.
 Comparison compare(std::span<const ResultLine> a, std::span<const ResultLine> b);
 
 }  // namespace lanefuse

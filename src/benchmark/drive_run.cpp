@@ -148,7 +148,7 @@ class DriveRun {
 
 Provenance provenance_of(const DriveJob& job, const std::string& version) {
   const PerceptionConfig config = configure(find_variant(job.key.variant), job.assignments);
-  return {version, nominal_preset().hash, fingerprint(config)};
+  return {version, nominal_preset().hash, scene_hash(job.key.scene), fingerprint(config)};
 }
 
 Json run_drive(const DriveJob& job, const WallClock& clock, const std::function<void(double)>& progress) {

@@ -23,15 +23,6 @@ Json without_times(Json json) {
   return json;
 }
 
-/// What two lines of one key differ in.
-std::string differing(const Provenance& a, const Provenance& b) {
-  if (a.preset != b.preset) return fmt::format("preset ({} here, {} there)", a.preset, b.preset);
-  if (a.configuration != b.configuration) {
-    return fmt::format("configuration ({} here, {} there)", a.configuration, b.configuration);
-  }
-  return fmt::format("version ({} here, {} there)", a.version, b.version);
-}
-
 }  // namespace
 
 Json head_json(const DriveKey& key, const Provenance& provenance) {
@@ -44,6 +35,7 @@ Json head_json(const DriveKey& key, const Provenance& provenance) {
           {"truth", key.truth},
           {"version", provenance.version},
           {"preset", provenance.preset},
+          {"scene_hash", provenance.scene},
           {"configuration_hash", provenance.configuration}};
 }
 
@@ -56,7 +48,7 @@ ResultLine parse_line(const std::string& text, const std::string& place) {
     const DriveKey key = key_of(json);
     if (!std::isfinite(key.km)) throw input_error(place, "is no line of benchmark results");
     return {key,
-            {json.at("version"), json.at("preset"), json.at("configuration_hash")},
+            {json.at("version"), json.at("preset"), json.at("scene_hash"), json.at("configuration_hash")},
             std::move(json),
             text,
             place};
@@ -67,6 +59,16 @@ ResultLine parse_line(const std::string& text, const std::string& place) {
 
 bool same_figures(const ResultLine& a, const ResultLine& b) {
   return without_times(a.json) == without_times(b.json);
+}
+
+std::string differing(const Provenance& here, const Provenance& there) {
+  if (here.preset != there.preset)
+    return fmt::format("preset ({} here, {} there)", here.preset, there.preset);
+  if (here.scene != there.scene) return fmt::format("scene ({} here, {} there)", here.scene, there.scene);
+  if (here.configuration != there.configuration) {
+    return fmt::format("configuration ({} here, {} there)", here.configuration, there.configuration);
+  }
+  return fmt::format("version ({} here, {} there)", here.version, there.version);
 }
 
 void demand_same_provenance(const ResultLine& a, const ResultLine& b) {

@@ -14,6 +14,7 @@ namespace lanefuse {
 struct Provenance {
   std::string version;        ///< of Lanefuse
   std::string preset;         ///< hash of the simulator's sensor preset
+  std::string scene;          ///< hash of the scene's scenario file
   std::string configuration;  ///< hash of the pipeline's configuration
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
@@ -36,8 +37,11 @@ ResultLine parse_line(const std::string& text, const std::string& place);
 /// Whether two lines say the same; wall-clock times differ from run to run, and say nothing.
 bool same_figures(const ResultLine& a, const ResultLine& b);
 
+/// What two provenances differ in, in words: "preset (... here, ... there)". They must differ.
+std::string differing(const Provenance& here, const Provenance& there);
+
 /// Refuses, with an input Error that names both places, two lines of one key that were made from different
-/// presets, configurations or versions.
+/// presets, scenarios, configurations or versions.
 void demand_same_provenance(const ResultLine& a, const ResultLine& b);
 
 /// The keys that hold wall-clock times.

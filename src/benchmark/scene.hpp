@@ -18,8 +18,15 @@ struct BenchmarkScene {
 
 inline constexpr const char* kNominalScene = "nominal";
 
-/// Every scene there is, the nominal ones first.
+/// The built-in scenarios, the nominal one first.
+std::vector<std::string> scene_names();
+
+/// Each of them on its own road, the gentle one where it asks for none; the nominal one on the curved road,
+/// too.
 std::vector<BenchmarkScene> benchmark_scenes();
+
+/// Names what a scene is made of: another scenario file, another hash.
+std::string scene_hash(const std::string& name);
 
 /// The simulated drive of that name, all sensors on. Throws a configuration Error where there is no such
 /// scene.

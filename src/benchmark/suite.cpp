@@ -90,14 +90,6 @@ std::vector<std::string> suite_names() {
   return names;
 }
 
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const BenchmarkScene& scene : benchmark_scenes()) {
-    if (std::find(names.begin(), names.end(), scene.name) == names.end()) names.push_back(scene.name);
-  }
-  return names;
-}
-
 std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
   demand_one_of("--estimator", choice.estimator, {"graph"});
   demand_one_of("--truth", choice.truth, {"exact", "surveyed"});

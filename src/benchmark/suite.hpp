@@ -24,7 +24,6 @@ struct SuiteChoice {
 };
 
 std::vector<std::string> suite_names();
-std::vector<std::string> scene_names();
 
 /// The suite's drives, seed by seed, so that a run that is broken off leaves whole seeds. Throws a
 /// configuration Error for a name that is none, and where nothing is left to drive.

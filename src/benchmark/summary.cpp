@@ -56,11 +56,13 @@ class Unmixed {
 
 void demand_unmixed(std::span<const ResultLine> lines) {
   Unmixed presets("preset");
+  Unmixed scenes("scenario");
   Unmixed configurations("configuration");
   Unmixed versions("version");
   for (const ResultLine& line : lines) {
     const std::string system = fmt::format("{} {}", line.key.estimator, line.key.variant);
-    presets.check(fmt::format("{} {}", line.key.scene, line.key.road), line.provenance.preset, line);
+    presets.check("all that is simulated", line.provenance.preset, line);
+    scenes.check(line.key.scene, line.provenance.scene, line);
     configurations.check(system, line.provenance.configuration, line);
     versions.check(system, line.provenance.version, line);
   }

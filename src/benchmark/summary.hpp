@@ -27,9 +27,9 @@ struct Summary {
   std::vector<std::optional<FigureMean>> means;  ///< of figures(), in their order
 };
 
-/// Rows in the order in which their first line comes. Throws an input Error where drives of one scene and
-/// road come from different presets, or those of one variant and estimator from different configurations or
-/// versions: such a mean says nothing.
+/// Rows in the order in which their first line comes. Throws an input Error where drives come from different
+/// presets, those of one scene from different scenarios, or those of one variant and estimator from different
+/// configurations or versions: such a mean says nothing.
 std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by);
 
 }  // namespace lanefuse

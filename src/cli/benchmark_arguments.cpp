@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "benchmark/scene.hpp"
 #include "benchmark/suite.hpp"
 #include "benchmark/variant.hpp"
 #include "cli/benchmark_command.hpp"

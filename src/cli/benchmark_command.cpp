@@ -55,13 +55,10 @@ bool is_done(const OpenJob& open, const ResultsFile& file) {
                                  [&open](const ResultLine& l) { return l.key == open.job.key; });
   if (line == file.lines.end()) return false;
   if (line->provenance == open.provenance) return true;
-  throw configuration_error(
-      line->place,
-      fmt::format("{} is there already, from version {}, preset {}, configuration {}; now {}, {}, {}",
-                  to_string(open.job.key), line->provenance.version, line->provenance.preset,
-                  line->provenance.configuration, open.provenance.version, open.provenance.preset,
-                  open.provenance.configuration),
-      "choose another output, or start this one anew with --force");
+  throw configuration_error(line->place,
+                            fmt::format("{} is there already, from another {}", to_string(open.job.key),
+                                        differing(open.provenance, line->provenance)),
+                            "choose another output, or start this one anew with --force");
 }
 
 ResultsFile begun_results(const BenchmarkOptions& options) {
@@ -130,7 +127,7 @@ void report(const BenchmarkOptions& options, std::size_t drives, std::size_t dri
                                               {"there_already", drives - driven}}
                            .dump());
   } else {
-    fmt::print("{} drives, {} of them were there already -> {}\n", drives, drives - driven,
+    fmt::print("{} of {} drives driven, {} there already -> {}\n", driven, drives, drives - driven,
                options.output->string());
   }
 }

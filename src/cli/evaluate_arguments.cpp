@@ -10,12 +10,17 @@ void add_evaluate(CommandLine& line) {
   CLI::App& command =
       *line.app.add_subcommand("evaluate", "compare lanes with the truth, and write a report");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command
-      .add_option("--truth", options.truth,
-                  "exact: the simulated road; surveyed: that road with the errors of the paper's own map; "
-                  "ego-path: where the car went later")
-      ->required()
-      ->check(CLI::IsMember({"exact", "surveyed", "ego-path"}));
+  CLI::Option* truth =
+      command
+          .add_option(
+              "--truth", options.truth,
+              "exact: the simulated road; surveyed: that road with the errors of the paper's own map; "
+              "ego-path: where the car went later")
+          ->check(CLI::IsMember({"exact", "surveyed", "ego-path"}));
+  CLI::Option* map = command
+                         .add_option("--map", options.map,
+                                     "judge by this map instead, in the frame of the drive's true poses")
+                         ->excludes(truth);
   command.add_option("--truth-seed", options.truth_seed, "seed of the survey's errors")
       ->capture_default_str()
       ->check(not_negative);
@@ -27,6 +32,13 @@ void add_evaluate(CommandLine& line) {
   command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
   command.add_option("-o,--report", options.report, "the report to write, else report.html beside the lanes");
   finish(command, line, options, evaluate);
+  command.callback([&line, &options, truth, map] {
+    if (truth->empty() && map->empty()) throw CLI::RequiredError("--truth or --map");
+    if (options.serial_camera && options.truth == "ego-path") {
+      throw CLI::ValidationError("--baseline", "needs the truth of a road, which --truth ego-path is not");
+    }
+    line.action = [&options] { return evaluate(options); };
+  });
 }
 
 }  // namespace lanefuse

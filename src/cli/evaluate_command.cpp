@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/evaluate_command.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -13,28 +11,31 @@
 #include "core/error.hpp"
 #include "drawing/report.hpp"
 #include "evaluation/evaluation_json.hpp"
+#include "evaluation/true_frames.hpp"
+#include "roadmap/map_files.hpp"
+#include "roadmap/road_map.hpp"
 
 namespace lanefuse {
 namespace {
 
-std::vector<Moment> picture(const EvaluateOptions& options, const LanesAndTruth& context,
-                            const Highlights& highlights) {
-  std::vector<Moment> moments;
-  const std::vector<Time> chosen = highlights.chosen();
-  LanesReader reader(options.lanes);
-  LaneRecord record;
-  while (moments.size() < chosen.size() && reader.next(record)) {
-    if (record.estimate.time != chosen[moments.size()]) continue;
-    const double seconds = to_seconds(record.estimate.time - highlights.times.front());
-    Moment moment{make_view(record, context), ""};
-    moment.view.title = fmt::format("{:.1f} s", seconds);
-    moment.caption = record.estimate.time == highlights.most_switched && highlights.most_switched_count > 0
-                         ? "The moment with the most switched-off smoothing edges: a vehicle changed lane."
-                         : fmt::format("Status {}, vehicles that bear witness: {}.",
-                                       to_string(record.estimate.status), record.estimate.witnesses);
-    moments.push_back(std::move(moment));
-  }
-  return moments;
+Moment picture(const Highlight& highlight, const LanesAndTruth& context) {
+  const LaneEstimate& estimate = highlight.record.estimate;
+  Moment moment{make_view(highlight.record, context), "", {}};
+  moment.view.title = fmt::format("{:.1f} s", highlight.seconds);
+  moment.caption = highlight.most_switched
+                       ? "The moment with the most switched-off smoothing edges: a vehicle changed lane."
+                       : fmt::format("Status {}, vehicles that bear witness: {}.", to_string(estimate.status),
+                                     estimate.witnesses);
+  const auto frame = frame_at(context.truth->frames, estimate.time);
+  if (frame && context.truth->road) moment.world_from_vehicle = frame->world_from_vehicle;
+  return moment;
+}
+
+Report make_report(const Judged& judged, const LanesAndTruth& context) {
+  Report report{"Lanes of " + judged.result.drive.name, judged.result, {}, {}, judged.trace};
+  if (context.sidecar) report.run = context.sidecar->figures;
+  for (const Highlight& highlight : judged.highlights) report.moments.push_back(picture(highlight, context));
+  return report;
 }
 
 /// A report that was asked for by name must not be there; one at its usual place is then kept, and that is
@@ -51,31 +52,37 @@ std::optional<std::filesystem::path> report_path(const EvaluateOptions& options)
   return std::nullopt;
 }
 
-}  // namespace
-
-int evaluate(const EvaluateOptions& options) {
-  const auto report_file = report_path(options);
-  const LanesReader lanes(options.lanes);
-  const LanesAndTruth context = find_truth(options.lanes, options.drive);
+/// The drive's truth, with the road that was asked for in it.
+LanesAndTruth truth_for(const EvaluateOptions& options) {
+  LanesAndTruth context = find_truth(options.lanes, options.drive);
   if (!context.truth) {
     throw configuration_error(options.lanes.string(),
                               "the drive that these lanes came from is not to be found",
                               "name it with --drive");
   }
-  if (report_file) check_output(*report_file, true, context.drive);
   refuse_damage(context.drive, context.truth->report);
   if (context.truth->frames.empty()) {
     throw input_error(options.lanes.string(), "its drive holds no truth (/truth/frame)");
   }
+  if (options.map) context.truth->road = true_road(read_map(*options.map));
+  return context;
+}
+
+}  // namespace
+
+int evaluate(const EvaluateOptions& options) {
+  const auto report_file = report_path(options);
+  const LanesReader lanes(options.lanes);
+  const LanesAndTruth context = truth_for(options);
+  if (report_file) check_output(*report_file, true, context.drive);
+  if (report_file && options.map) check_output(*report_file, true, *options.map);
   Judged judged = judge_lanes(options, context);
   EvaluationResult& result = judged.result;
   result.drive = lanes.drive();
   result.drive.witness = lanes.run().witness;
 
   if (report_file) {
-    Report report{"Lanes of " + result.drive.name, result, {}, picture(options, context, judged.highlights)};
-    if (context.sidecar) report.run = context.sidecar->figures;
-    write_text(*report_file, write_report(report));
+    write_text(*report_file, write_report(make_report(judged, context)));
     fmt::print(stderr, "report: {}\n", report_file->string());
   }
   if (options.json) {

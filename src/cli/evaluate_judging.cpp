@@ -18,19 +18,20 @@ namespace lanefuse {
 namespace {
 
 template <typename Judge>
-Highlights judge_all(const EvaluateOptions& options, Judge&& judge) {
-  Highlights highlights;
+std::vector<Highlight> judge_all(const EvaluateOptions& options, const std::vector<TrueFrame>& frames,
+                                 Judge&& judge) {
+  Highlights highlights(frames.front().time, frames.back().time);
   Progress progress("evaluating");
   LanesReader reader(options.lanes);
   LaneRecord record;
   while (reader.next(record)) {
     highlights.add(record);
     judge(record.estimate);
-    progress.show_seconds(to_seconds(record.estimate.time - highlights.times.front()));
+    progress.show_seconds(to_seconds(record.estimate.time - *highlights.first()));
   }
   refuse_damage(options.lanes, reader.report());
-  if (highlights.times.empty()) throw input_error(options.lanes.string(), "holds no cycle");
-  return highlights;
+  if (!highlights.first()) throw input_error(options.lanes.string(), "holds no cycle");
+  return highlights.chosen();
 }
 
 /// Plays a drive's serial camera beside the estimates.
@@ -70,7 +71,7 @@ Judged judge_by_road(const EvaluateOptions& options, const LanesAndTruth& contex
   std::unique_ptr<SerialCameraReplay> camera;
   if (options.serial_camera) camera = std::make_unique<SerialCameraReplay>(context.drive);
   Judged judged;
-  judged.highlights = judge_all(options, [&](const LaneEstimate& estimate) {
+  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneEstimate& estimate) {
     const auto frame = frame_at(context.truth->frames, estimate.time);
     if (!frame) return evaluation.add_without_truth(estimate);
     if (!camera) return evaluation.add(estimate, *frame);
@@ -91,44 +92,36 @@ Judged judge_by_drive(const EvaluateOptions& options, const LanesAndTruth& conte
   return judge_by_road(options, context, *context.truth->road);
 }
 
+Judged judge_by_map(const EvaluateOptions& options, const LanesAndTruth& context) {
+  Judged judged = judge_by_road(options, context, *context.truth->road);
+  judged.result.truth = "map";
+  if (judged.result.cycles_with_truth == 0) {
+    throw input_error(
+        options.map->string(), "the car is in none of its lanes at any time",
+        "a map must be in the frame of the drive's true poses, and its lanes in the direction of "
+        "driving");
+  }
+  return judged;
+}
+
 Judged judge_by_path(const EvaluateOptions& options, const LanesAndTruth& context) {
   EgoPathEvaluation evaluation(context.truth->frames);
   Judged judged;
-  judged.highlights = judge_all(
-      options, [&](const LaneEstimate& estimate) { evaluation.add(estimate, estimate.witnesses > 0); });
+  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneEstimate& estimate) {
+    evaluation.add(estimate, estimate.witnesses > 0);
+  });
   judged.result = evaluation.result();
   return judged;
 }
 
 }  // namespace
 
-void Highlights::add(const LaneRecord& record) {
-  times.push_back(record.estimate.time);
-  const auto off =
-      static_cast<std::size_t>(std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
-                                             [](const SwitchState& s) { return s.value < 0.5; }));
-  if (off <= most_switched_count) return;
-  most_switched_count = off;
-  most_switched = record.estimate.time;
-}
-
-std::vector<Time> Highlights::chosen() const {
-  std::vector<Time> moments;
-  for (const double share : {0.1, 0.5, 0.9}) {
-    if (!times.empty())
-      moments.push_back(times[static_cast<std::size_t>(share * static_cast<double>(times.size()))]);
-  }
-  if (most_switched_count > 0) moments.push_back(most_switched);
-  std::sort(moments.begin(), moments.end());
-  moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
-  return moments;
-}
-
 void refuse_damage(const std::filesystem::path& file, const ReadReport& report) {
   if (!report.complete()) throw input_error(file.string(), "damaged: " + report.first_problem);
 }
 
 Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context) {
+  if (options.map) return judge_by_map(options, context);
   return options.truth == "ego-path" ? judge_by_path(options, context) : judge_by_drive(options, context);
 }
 

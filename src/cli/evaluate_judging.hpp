@@ -5,31 +5,21 @@
 #include <vector>
 
 #include "cli/evaluate_command.hpp"
+#include "cli/evaluate_highlights.hpp"
 #include "cli/lanes_and_truth.hpp"
 #include "evaluation/error_trace.hpp"
 #include "evaluation/evaluation_result.hpp"
 
 namespace lanefuse {
 
-/// The cycles that the report shows: spread over the drive, and the one with the most switched-off edges.
-struct Highlights {
-  std::vector<Time> times;
-  Time most_switched{};
-  std::size_t most_switched_count = 0;
-
-  void add(const LaneRecord& record);
-  /// In order of time, each once.
-  [[nodiscard]] std::vector<Time> chosen() const;
-};
-
 struct Judged {
   EvaluationResult result;
   ErrorTrace trace;  ///< only against a road
-  Highlights highlights;
+  std::vector<Highlight> highlights;
 };
 
 /// Reads the lanes once and judges every cycle by the truth that was asked for. Throws Error (input) where
-/// the lanes or the drive are damaged, or hold no truth of that kind.
+/// the lanes or the drive are damaged, or hold no truth of that kind. With a map, its road is in `context`.
 Judged judge_lanes(const EvaluateOptions& options, const LanesAndTruth& context);
 
 /// Throws Error (input) where a file could not be read to its end.

@@ -1,9 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command_line.hpp"
+#include "cli/replay_command.hpp"
 #include "cli/simulate_command.hpp"
 
 namespace lanefuse {
+namespace {
+
+/// Options that say what is to be simulated have no meaning for a recording.
+void add_replay(CLI::App& command, ReplayOptions& replay) {
+  CLI::Option* file = command.add_option("--commonroad", replay.scenario,
+                                         "replay the traffic recorded in a CommonRoad scenario (.xml)");
+  for (const char* other : {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios",
+                            "--no-serial-camera", "--no-high-resolution-camera", "--no-objects"}) {
+    file->excludes(command.get_option(other));
+  }
+  command
+      .add_option("--ego", replay.ego,
+                  "the recorded vehicle that is the ego car, else the one recorded longest")
+      ->needs(file);
+  command.add_flag("--list", replay.list, "print which vehicles were recorded, and stop")->needs(file);
+}
+
+int simulate_or_replay(const SimulateOptions& options, ReplayOptions replay_options) {
+  if (replay_options.scenario.empty()) return simulate(options);
+  replay_options.seed = options.simulation.seed;
+  replay_options.output = options.output;
+  replay_options.json = options.json;
+  replay_options.force = options.force;
+  return replay(replay_options);
+}
+
+}  // namespace
 
 void add_simulate(CommandLine& line) {
   auto& options = line.make<SimulateOptions>();
@@ -25,6 +53,10 @@ void add_simulate(CommandLine& line) {
       .add_option("--scenario", options.scenario,
                   "what happens: a name from --list-scenarios, or a file (.yaml)")
       ->default_str("nominal");
+  command.add_option("--map", options.map,
+                     "drive on a map's road (.xodr, .osm, .xml of CommonRoad, .geojson)");
+  command.add_option("--write-map", options.write_map,
+                     "write the road as a map, too (.xodr, .osm, .geojson)");
   command.add_flag("--list-scenarios", options.list_scenarios, "print the scenarios' names, and stop");
   const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
     command.add_flag_callback(
@@ -48,7 +80,10 @@ void add_simulate(CommandLine& line) {
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
   leave_out("--no-objects", config.objects, "object lists");
   command.add_option("-o,--output", options.output, "the recording to write (.mcap)");
-  finish(command, line, options, simulate);
+  auto& replay = line.make<ReplayOptions>();
+  add_replay(command, replay);
+  finish(command, line, options,
+         [&replay](const SimulateOptions& simulated) { return simulate_or_replay(simulated, replay); });
 }
 
 }  // namespace lanefuse

@@ -9,9 +9,9 @@
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "recording/drive_writer.hpp"
+#include "roadmap/map_files.hpp"
 
 namespace lanefuse {
-
 namespace {
 
 int list_scenarios(bool json) {
@@ -33,43 +33,64 @@ RoadKind road_kind(const std::string& word) {
 SimulationConfig configuration(const SimulateOptions& options) {
   SimulationConfig config = options.simulation;
   if (!options.scenario.empty()) config.scenario = find_scenario(options.scenario);
-  const Scenario::RoadPart& road = config.scenario.road;
-  if (!options.road.empty() && (road.course || road.map)) {
-    throw configuration_error("--road",
+  Scenario::RoadPart& road = config.scenario.road;
+  const bool has_a_road = road.course || road.map || (!options.map.empty() && !road.events.empty());
+  if (has_a_road && !(options.road.empty() && options.map.empty())) {
+    throw configuration_error(options.map.empty() ? "--road" : "--map",
                               fmt::format("scenario {} has a road of its own", config.scenario.name));
   }
+  if (!options.road.empty() && !options.map.empty()) {
+    throw configuration_error("--road", "is said of a road that comes from a map");
+  }
+  if (!options.map.empty()) road.map = options.map;
   config.road = road_kind(options.road);
   return config;
+}
+
+void check_outputs(const SimulateOptions& options) {
+  if (options.output.empty()) throw configuration_error("simulate", "--output is required");
+  check_output(options.output, options.force);
+  if (options.write_map.empty()) return;
+  check_map_ending(options.write_map);
+  check_output(options.write_map, options.force);
+}
+
+struct Counts {
+  std::uint64_t measurements = 0;
+  Time end = kSimulationStart;
+};
+
+Counts record(DriveSimulation& simulation, DriveWriter& writer) {
+  Progress progress("simulating");
+  std::vector<Measurement> measurements;
+  std::vector<TrueFrame> frames;
+  Counts counts;
+  for (bool more = true; more;) {
+    more = simulation.step(measurements, frames);
+    for (const Measurement& measurement : measurements) writer.write(measurement);
+    for (const TrueFrame& frame : frames) {
+      writer.write(frame);
+      counts.end = frame.time;
+    }
+    counts.measurements += measurements.size();
+    progress.show(simulation.progress());
+  }
+  return counts;
 }
 
 }  // namespace
 
 int simulate(const SimulateOptions& options) {
   if (options.list_scenarios) return list_scenarios(options.json);
-  if (options.output.empty()) throw configuration_error("simulate", "--output is required");
-  check_output(options.output, options.force);
+  check_outputs(options);
   DriveSimulation simulation(configuration(options), nominal_preset());
+  if (!options.write_map.empty()) write_map(simulation.map(), options.write_map);
   DriveWriter writer(options.output, simulation.info(), simulation.rig());
   writer.write(simulation.road(), kSimulationStart);
-
-  Progress progress("simulating");
-  std::vector<Measurement> measurements;
-  std::vector<TrueFrame> frames;
-  std::uint64_t measurement_count = 0;
-  Time end = kSimulationStart;
-  for (bool more = true; more;) {
-    more = simulation.step(measurements, frames);
-    for (const Measurement& measurement : measurements) writer.write(measurement);
-    for (const TrueFrame& frame : frames) {
-      writer.write(frame);
-      end = frame.time;
-    }
-    measurement_count += measurements.size();
-    progress.show(simulation.progress());
-  }
+  const Counts counts = record(simulation, writer);
   writer.close();
 
-  const double duration = to_seconds(end - kSimulationStart);
+  const double duration = to_seconds(counts.end - kSimulationStart);
   const DriveInfo info = simulation.info();
   if (options.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"drive", info.name},
@@ -77,11 +98,11 @@ int simulate(const SimulateOptions& options) {
                                               {"km", options.simulation.km},
                                               {"scenario", simulation.scenario().name},
                                               {"duration_s", duration},
-                                              {"measurements", measurement_count},
+                                              {"measurements", counts.measurements},
                                               {"preset_hash", info.preset_hash}}
                            .dump());
   } else {
-    fmt::print("{}: {:.1f} s, {} measurements -> {}\n", info.name, duration, measurement_count,
+    fmt::print("{}: {:.1f} s, {} measurements -> {}\n", info.name, duration, counts.measurements,
                options.output.string());
   }
   return 0;

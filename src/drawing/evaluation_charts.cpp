@@ -3,15 +3,18 @@
 #include "drawing/evaluation_charts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
+
+#include "evaluation/table_one.hpp"
 
 namespace lanefuse {
 namespace {
 
-// RMSE [m] at 0, 20 ... 120 m [IROS16, table I].
-constexpr std::array kPaperEgo{0.10, 0.11, 0.18, 0.28, 0.42, 0.55, 0.64};
-constexpr std::array kPaperAdjacent{0.21, 0.21, 0.27, 0.37, 0.50, 0.66, 0.99};
+constexpr const char* kEgoColour = "truth";  // red and blue, as in the paper's plot
+constexpr const char* kAdjacentColour = "series-0";
+constexpr const char* kCameraColour = "series-3";
+constexpr std::uint64_t kEnoughCycles = 50;
 
 Axis distance_axis() { return {"distance ahead [m]", 0, distance_at(kDistanceCount - 1), 10}; }
 
@@ -30,9 +33,9 @@ Points percent_available(const std::vector<Statistics>& statistics) {
   return points;
 }
 
-Points paper(const std::array<double, 7>& rmse) {
+Points paper(PaperFigures PaperRow::*lanes) {
   Points points;
-  for (std::size_t i = 0; i < rmse.size(); ++i) points.emplace_back(20.0 * static_cast<double>(i), rmse[i]);
+  for (const PaperRow& row : kTableOne) points.emplace_back(row.distance, (row.*lanes).rmse);
   return points;
 }
 
@@ -75,10 +78,13 @@ Chart rmse_chart(const EvaluationResult& result) {
     add({"arc of the yaw rate", rmse_of(result.baselines->arc), "series-2", Marker::triangle, true});
     add({"straight ahead", rmse_of(result.baselines->straight), "series-3", Marker::diamond, true});
   } else if (judged(result.lanes.ego) || judged(result.lanes.adjacent)) {
-    add({"ego lane", rmse_of(result.lanes.ego), "series-0", Marker::circle});
-    add({"adjacent lanes", rmse_of(result.lanes.adjacent), "series-1", Marker::square});
-    add({"ego, Table I", paper(kPaperEgo), "series-0", std::nullopt, true});
-    add({"adjacent, Table I", paper(kPaperAdjacent), "series-1", std::nullopt, true});
+    add({"ego lane", rmse_of(result.lanes.ego), kEgoColour, Marker::circle});
+    add({"adjacent lanes", rmse_of(result.lanes.adjacent), kAdjacentColour, Marker::square});
+    add({"ego, Table I", paper(&PaperRow::ego), kEgoColour, std::nullopt, true});
+    add({"adjacent, Table I", paper(&PaperRow::adjacent), kAdjacentColour, std::nullopt, true});
+    if (const auto& camera = result.serial_camera) {
+      add({"serial camera alone", rmse_of(camera->extrapolated), kCameraColour, Marker::triangle, true});
+    }
   }
   chart.y = axis_from_zero("RMSE [m]", largest_value(chart.series), 6);
   return chart;
@@ -86,9 +92,10 @@ Chart rmse_chart(const EvaluationResult& result) {
 
 Chart bias_chart(const EvaluationResult& result) {
   Chart chart{"Mean deviation, with one sigma", distance_axis(), {}, {}};
-  add_mean(chart.series, result.baselines ? "ego lane's centre" : "ego lane", result.lanes.ego, "series-0");
+  add_mean(chart.series, result.baselines ? "ego lane's centre" : "ego lane", result.lanes.ego,
+           result.baselines ? "series-0" : kEgoColour);
   if (judged(result.lanes.adjacent)) {
-    add_mean(chart.series, "adjacent lanes", result.lanes.adjacent, "series-1");
+    add_mean(chart.series, "adjacent lanes", result.lanes.adjacent, kAdjacentColour);
   }
   Axis half = axis_from_zero("to the left [m]", largest_value(chart.series), 3);
   half.from = -half.to;
@@ -100,16 +107,77 @@ Chart availability_chart(const EvaluationResult& result) {
   Chart chart{"Availability by distance", distance_axis(), {"share of cycles [%]", 0, 100, 20}, {}};
   const bool against_path = result.baselines.has_value();
   chart.series.push_back({against_path ? "ego lane's centre, all cycles" : "ego lane",
-                          percent_available(result.lanes.ego), "series-0", Marker::circle});
+                          percent_available(result.lanes.ego), against_path ? "series-0" : kEgoColour,
+                          Marker::circle});
   if (!result.lanes.adjacent.empty()) {
     chart.series.push_back(
-        {"adjacent lanes", percent_available(result.lanes.adjacent), "series-1", Marker::square});
+        {"adjacent lanes", percent_available(result.lanes.adjacent), kAdjacentColour, Marker::square});
   }
   if (!result.availability_with_vehicle_ahead.empty()) {
     chart.series.push_back({"cycles with a vehicle tracked ahead",
                             percent_available(result.availability_with_vehicle_ahead), "series-4",
                             Marker::diamond});
   }
+  return chart;
+}
+
+Chart consistency_chart(const EvaluationResult& result) {
+  Chart chart{"Consistency (NEES): 1 is honest, above is overconfident", distance_axis(), {}, {}};
+  const auto nees_of = [](const std::vector<ConsistencyStatistics>& all) {
+    Points points;
+    for (const ConsistencyStatistics& at : all) points.emplace_back(at.distance_m, at.mean_normalised_square);
+    return points;
+  };
+  if (!result.consistency.ego.empty()) {
+    chart.series = {{"ego lane", nees_of(result.consistency.ego), kEgoColour, Marker::circle},
+                    {"adjacent lanes", nees_of(result.consistency.adjacent), kAdjacentColour, Marker::square},
+                    {"honest", {{0, 1}, {distance_at(kDistanceCount - 1), 1}}, "muted", std::nullopt, true}};
+  }
+  chart.y = axis_from_zero("mean (deviation / sigma)\u00b2", largest_value(chart.series), 6);
+  return chart;
+}
+
+Chart coverage_chart(const EvaluationResult& result) {
+  Chart chart{"Deviations inside the stated 95 % interval", distance_axis(), {"share [%]", 0, 100, 20}, {}};
+  const auto inside = [](const std::vector<ConsistencyStatistics>& all) {
+    Points points;
+    for (const ConsistencyStatistics& at : all) points.emplace_back(at.distance_m, 100 * at.within_95);
+    return points;
+  };
+  if (result.consistency.ego.empty()) return chart;
+  chart.series = {{"ego lane", inside(result.consistency.ego), kEgoColour, Marker::circle},
+                  {"adjacent lanes", inside(result.consistency.adjacent), kAdjacentColour, Marker::square},
+                  {"95 %", {{0, 95}, {distance_at(kDistanceCount - 1), 95}}, "muted", std::nullopt, true}};
+  return chart;
+}
+
+Chart condition_chart(const std::string& title, const std::string& axis,
+                      const std::vector<ConditionStatistics>& conditions) {
+  Chart chart{title, {axis, 0, 1, 1}, {}, {}};
+  const auto middle = [&](std::size_t i) {
+    const double step = i > 0 ? conditions[i].from - conditions[i - 1].from : 1;
+    return conditions[i].from +
+           (std::isfinite(conditions[i].to) ? conditions[i].to - conditions[i].from : step) / 2;
+  };
+  const auto over_ranges = [&](std::vector<DeviationStatistics> LaneStatistics::*lanes,
+                               std::size_t distance) {
+    Points points;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+      if (conditions[i].cycles < kEnoughCycles) continue;
+      points.emplace_back(middle(i), (conditions[i].lanes.*lanes)[distance].rmse_m);
+    }
+    return points;
+  };
+  if (conditions.empty()) return chart;
+  chart.x = axis_from_zero(axis, middle(conditions.size() - 1), 8);
+  for (const auto& [distance, dashed] : {std::pair{std::size_t{6}, false}, {std::size_t{12}, true}}) {
+    const std::string at = dashed ? "120 m" : "60 m";
+    chart.series.push_back(
+        {"ego, " + at, over_ranges(&LaneStatistics::ego, distance), kEgoColour, Marker::circle, dashed});
+    chart.series.push_back({"adjacent, " + at, over_ranges(&LaneStatistics::adjacent, distance),
+                            kAdjacentColour, Marker::square, dashed});
+  }
+  chart.y = axis_from_zero("RMSE [m]", largest_value(chart.series), 6);
   return chart;
 }
 

@@ -11,9 +11,13 @@ namespace {
 
 std::string charts(const Report& report) {
   std::string html = "<div class=\"charts\">\n";
-  html += inline_svg(draw_chart(rmse_chart(report.evaluation)));
+  if (report.evaluation.baselines) html += inline_svg(draw_chart(rmse_chart(report.evaluation)));
   html += inline_svg(draw_chart(bias_chart(report.evaluation)));
   html += inline_svg(draw_chart(availability_chart(report.evaluation)));
+  if (!report.evaluation.consistency.ego.empty()) {
+    html += inline_svg(draw_chart(consistency_chart(report.evaluation)));
+    html += inline_svg(draw_chart(coverage_chart(report.evaluation)));
+  }
   html += inline_svg(draw_cycle_times(report.run.cycle_ms));
   return html + "</div>\n";
 }
@@ -35,8 +39,10 @@ std::string write_report(const Report& report) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
          escape_xml(title_of(report)) + "</title>\n<style>" + report_css() +
          "</style>\n</head>\n<body>\n<main>\n" + report_header(report) + report_figures(report) +
-         "<h2>By distance</h2>\n" + charts(report) + deviation_table(report.evaluation) +
-         report_glossary(report.evaluation) + moments(report) + "</main>\n</body>\n</html>\n";
+         paper_section(report.evaluation) + "<h2>By distance</h2>\n" + charts(report) +
+         deviation_table(report.evaluation) + report_glossary(report.evaluation) +
+         camera_section(report.evaluation) + traffic_section(report.evaluation) + map_section(report) +
+         moments(report) + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace lanefuse

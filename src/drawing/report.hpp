@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/top_view.hpp"
+#include "evaluation/error_trace.hpp"
 #include "evaluation/evaluation_result.hpp"
 
 namespace lanefuse {
@@ -23,6 +24,7 @@ struct RunFigures {
 struct Moment {
   TopView view;
   std::string caption;
+  std::optional<Pose2> world_from_vehicle;  ///< with it, the moment is shown on the map too
 };
 
 struct Report {
@@ -30,6 +32,7 @@ struct Report {
   EvaluationResult evaluation;  ///< with the drive's name and its witness rule
   RunFigures run;
   std::vector<Moment> moments;
+  ErrorTrace trace;  ///< of the whole drive; empty: no picture of it
 };
 
 /// The whole report as one HTML page that needs nothing from outside of itself.

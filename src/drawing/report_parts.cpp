@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/report_parts.hpp"
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "drawing/chart.hpp"
@@ -31,7 +33,10 @@ std::string tile(const std::string& name, const std::string& value, const std::s
 std::string lane_tiles(const EvaluationResult& result) {
   if (result.baselines) return {};
   return tile("In the wrong lane", percent(wrong_lane_rate(result)), "of cycles with an ego lane") +
-         tile("False boundaries", factor(false_boundaries_per_cycle(result)), "a cycle");
+         tile("False lanes", factor(false_lanes_per_cycle(result)),
+              fmt::format("a cycle; {} false boundaries", factor(false_boundaries_per_cycle(result)))) +
+         tile("Resets", grouped(result.resets), "lanes lost and born anew") +
+         tile("NEES", factor(mean_normalised_square(result.consistency)), "over all distances; 1 is honest");
 }
 
 std::string run_tiles(const RunFigures& run) {
@@ -64,6 +69,11 @@ std::string report_header(const Report& report) {
   std::string html = "<h1>" + escape_xml(title_of(report)) + "</h1>\n<p class=\"drive\">Drive: " +
                      escape_xml(drive.name.empty() ? "unnamed" : drive.name);
   html += "; truth: " + escape_xml(report.evaluation.truth.empty() ? "none" : report.evaluation.truth);
+  if (const auto& survey = report.evaluation.surveyed) {
+    html +=
+        fmt::format(" (exact, with errors of {:.2f} m ego, {:.2f} m adjacent, {:.2f}&#176;; seed {})",
+                    survey->ego, survey->adjacent, survey->heading * 180 / std::numbers::pi, survey->seed);
+  }
   if (!drive.preset_hash.empty()) html += "; sensor preset " + escape_xml(drive.preset_hash);
   return html + "</p>\n" + witness_line(drive.witness) + "<p class=\"verdict\">" +
          escape_xml(verdict(report.evaluation)) + "</p>\n";

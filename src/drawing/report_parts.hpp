@@ -15,6 +15,15 @@ std::string title_of(const Report& report);
 std::string report_header(const Report& report);
 /// Counts and times of the run, a tile each.
 std::string report_figures(const Report& report);
+/// Table I as the paper prints it, with the paper's figures and the ratio of the RMSE beside ours; below it,
+/// in words, where they differ by more than they may. Empty where the truth is no road.
+std::string paper_section(const EvaluationResult& result);
+/// The serial camera alone, where it was judged.
+std::string camera_section(const EvaluationResult& result);
+/// Error against traffic and against the vehicle ahead, where the truth is a road.
+std::string traffic_section(const EvaluationResult& result);
+/// The drive, and the moments that know their place, on the map.
+std::string map_section(const Report& report);
 /// Table I's columns and more, by distance.
 std::string deviation_table(const EvaluationResult& result);
 /// What the words in the tables mean.

@@ -81,21 +81,22 @@ std::string report_glossary(const EvaluationResult& result) {
       "<b>Available</b> is the share of the cycles with truth at that distance in which the estimate reached "
       "it; <b>n</b> "
       "counts the deviations. ";
-  html += result.baselines ? "Truth is the path that the car drove later, so that the driver's own wandering "
-                             "in the lane is in every "
-                             "figure. <b>Vehicle ahead</b> is the availability among the cycles in which a "
-                             "moving vehicle is tracked "
-                             "ahead. <b>Arc</b> and <b>straight</b> perceive no lane: the circle of the "
-                             "smoothed yaw rate, and the line "
-                             "ahead. <b>All</b> takes every cycle, <b>same</b> those in which the estimate "
-                             "reached that distance too."
-                           : "<b>Ego</b> are both boundaries of the lane that the car is in; <b>adjacent</b> "
-                             "are the outer boundaries "
-                             "of its neighbours, where those lanes exist. <b>NEES</b> is the mean of "
-                             "(deviation / stated sigma)&#178;: 1 "
-                             "is honest, above is overconfident. A boundary is <b>false</b> when it is more "
-                             "than 1 m from every true "
-                             "one. <b>Table I</b> is the paper's, against its own map on its own roads.";
+  html += result.baselines
+              ? "Truth is the path that the car drove later, so that the driver's own wandering "
+                "in the lane is in every "
+                "figure. <b>Vehicle ahead</b> is the availability among the cycles in which a "
+                "moving vehicle is tracked "
+                "ahead. <b>Arc</b> and <b>straight</b> perceive no lane: the circle of the "
+                "smoothed yaw rate, and the line "
+                "ahead. <b>All</b> takes every cycle, <b>same</b> those in which the estimate "
+                "reached that distance too."
+              : "<b>Ego</b> are both boundaries of the lane that the car is in; <b>adjacent</b> "
+                "are the outer boundaries "
+                "of its neighbours, where those lanes exist. <b>NEES</b> is the mean of "
+                "(deviation / stated sigma)&#178;: 1 "
+                "is honest, above is overconfident. A boundary is <b>false</b> when it is more "
+                "than 1 m from every true "
+                "one; a lane is false when its middle is in no true one, or a true boundary runs inside it.";
   return html + "</p>\n";
 }
 

@@ -13,7 +13,11 @@ void SerialCameraBaseline::add(const Measurement& measurement) {
     yaw_rate_ = motion->yaw_rate.value_or(yaw_rate_);
   }
   const auto* lane = std::get_if<SerialLane>(&measurement);
-  if (lane && (!lane_ || lane->stamp.measured_at >= lane_->stamp.measured_at)) lane_ = *lane;
+  if (!lane || (lane_ && lane->stamp.measured_at < lane_->stamp.measured_at)) return;
+  lane_ = *lane;
+  for (auto* side : {&lane_->left, &lane_->right}) {
+    if (*side && !is_plausible(**side)) side->reset();
+  }
 }
 
 LaneEstimate SerialCameraBaseline::at(Time time) const {

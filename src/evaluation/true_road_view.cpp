@@ -12,6 +12,11 @@ using Points = std::vector<Eigen::Vector2d>;
 constexpr double kJump =
     50;  // [m] from one look to the next: further, and the old place along the road says nothing
 
+/// A boundary that is out of sight may come into it somewhere else than its nearest point so far: it is
+/// searched whole after this much of way.
+constexpr double kOutOfSight = 200;       // [m]
+constexpr double kSearchAgainAfter = 50;  // [m]
+
 double squared_distance(const Points& points, std::size_t i, const Eigen::Vector2d& position) {
   return (points[i] - position).squaredNorm();
 }
@@ -33,7 +38,10 @@ std::size_t nearest_from(const Points& points, std::size_t i, const Eigen::Vecto
 }  // namespace
 
 TrueRoadView::TrueRoadView(const TrueRoad& road)
-    : road_(road), nearest_(road.boundaries.size(), 0), lines_(road.boundaries.size()) {}
+    : road_(road),
+      nearest_(road.boundaries.size(), 0),
+      searched_at_(road.boundaries.size(), Eigen::Vector2d::Zero()),
+      lines_(road.boundaries.size()) {}
 
 const std::vector<LineAhead>& TrueRoadView::look_from(const Pose2& world_from_vehicle) {
   const Eigen::Vector2d position = world_from_vehicle.position();
@@ -43,11 +51,22 @@ const std::vector<LineAhead>& TrueRoadView::look_from(const Pose2& world_from_ve
     const Points& points = road_.boundaries[b].points;
     lines_[b].clear();
     if (points.empty()) continue;
-    nearest_[b] = jumped ? nearest_of_all(points, position) : nearest_from(points, nearest_[b], position);
+    if (jumped || is_search_due(b, position)) {
+      nearest_[b] = nearest_of_all(points, position);
+      searched_at_[b] = position;
+    } else {
+      nearest_[b] = nearest_from(points, nearest_[b], position);
+    }
     cut(b, vehicle_from_world);
   }
   last_position_ = position;
   return lines_;
+}
+
+bool TrueRoadView::is_search_due(std::size_t boundary, const Eigen::Vector2d& position) const {
+  const Points& points = road_.boundaries[boundary].points;
+  return squared_distance(points, nearest_[boundary], position) > kOutOfSight * kOutOfSight &&
+         (position - searched_at_[boundary]).norm() > kSearchAgainAfter;
 }
 
 void TrueRoadView::cut(std::size_t boundary, const Pose2& vehicle_from_world) {

@@ -15,7 +15,8 @@ namespace lanefuse {
 /// The true road as it lies around the car, from kViewBehind behind it to kViewAhead ahead.
 ///
 /// Remembers where along each boundary the car was, so that a look costs what the view holds and not what the
-/// road is long, as long as the car moves on bit by bit; a jump costs a search along the whole road.
+/// road is long, as long as the car moves on bit by bit; a jump costs a search along the whole road, and so,
+/// from time to time, does a boundary that is far away.
 class TrueRoadView {
  public:
   static constexpr double kViewBehind = 30;  ///< [m]
@@ -33,10 +34,12 @@ class TrueRoadView {
 
  private:
   void cut(std::size_t boundary, const Pose2& vehicle_from_world);
+  [[nodiscard]] bool is_search_due(std::size_t boundary, const Eigen::Vector2d& position) const;
 
   const TrueRoad& road_;
   std::optional<Eigen::Vector2d> last_position_;
-  std::vector<std::size_t> nearest_;  // point of each boundary to the car
+  std::vector<std::size_t> nearest_;          // point of each boundary to the car
+  std::vector<Eigen::Vector2d> searched_at_;  // where the car was when it was searched whole
   std::vector<LineAhead> lines_;
 };
 

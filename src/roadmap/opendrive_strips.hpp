@@ -21,7 +21,7 @@ struct OpenDriveStrip {
 };
 
 /// How many points a file's lanes may have altogether.
-inline constexpr std::size_t kMostLanePoints = 4'000'000;
+inline constexpr std::size_t kMostLanePoints = 2'000'000;
 
 /// The strips of one section's lanes, from left to right: sampled so that chords are within 5 mm of the curve
 /// and points at most 2 m apart. Lanes that have no width anywhere, and what is no lane, are left out. Takes

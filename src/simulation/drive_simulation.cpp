@@ -3,8 +3,6 @@
 #include "simulation/drive_simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -18,27 +16,6 @@
 
 namespace lanefuse {
 namespace {
-
-std::int64_t ticks_a_period(double hz, const char* what) {
-  const double ticks = 1 / (hz * to_seconds(kTick));
-  const double whole = std::round(ticks);
-  if (whole < 1 || std::abs(ticks - whole) > 1e-6) {
-    throw configuration_error("preset",
-                              fmt::format("{} at {} Hz: its period is not a multiple of 20 ms", what, hz));
-  }
-  return static_cast<std::int64_t>(whole);
-}
-
-TrueObject true_object(const SceneVehicle& vehicle) {
-  return {vehicle.id, vehicle.world_from_vehicle, vehicle.speed, vehicle.front + vehicle.rear, vehicle.width};
-}
-
-TrueFrame true_frame(const Scene& scene) {
-  TrueFrame frame{scene.time, scene.ego.world_from_vehicle, scene.ego.speed, scene.ego.yaw_rate, {}};
-  std::transform(scene.vehicles.begin(), scene.vehicles.end(), std::back_inserter(frame.objects),
-                 true_object);
-  return frame;
-}
 
 void check_lane(int lane, const DriveRoad& there) {
   const TrafficLanes lanes(there.road);
@@ -62,10 +39,11 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
       preset_(preset),
       drive_road_(std::make_unique<DriveRoad>(drive_road(config.scenario, config.road, config.km, preset.road,
                                                          config.road_seed.value_or(config.seed)))),
-      traffic_(drive_road_->road, traffic_of(config, preset, *drive_road_), drive_road_->start, config.seed) {
+      traffic_(std::make_unique<Traffic>(drive_road_->road, traffic_of(config, preset, *drive_road_),
+                                         drive_road_->start, config.seed)),
+      ego_station_(drive_road_->start),
+      suite_(preset.fusion_hz) {
   add_sensors();
-  ticks_a_period(preset.fusion_hz, "fusion");
-  for (const auto& sensor : sensors_) ticks_a_period(sensor->hz(), sensor->description().name.c_str());
 }
 
 void DriveSimulation::add_sensors() {
@@ -89,7 +67,7 @@ void DriveSimulation::add_sensor(std::unique_ptr<SensorModel> sensor) {
   for (const Disturbance& disturbance : config_.scenario.disturbances) {
     sensor = disturbed(std::move(sensor), disturbance, drive_road_->start, config_.seed, ++number);
   }
-  sensors_.push_back(std::move(sensor));
+  suite_.add(std::move(sensor));
 }
 
 RoadMap DriveSimulation::map() const {
@@ -97,12 +75,6 @@ RoadMap DriveSimulation::map() const {
   map.name = info().name;
   map.origin = drive_road_->origin;
   return map;
-}
-
-Rig DriveSimulation::rig() const {
-  Rig rig;
-  for (const auto& sensor : sensors_) rig.sensors.push_back(sensor->description());
-  return rig;
 }
 
 DriveInfo DriveSimulation::info() const {
@@ -117,42 +89,20 @@ DriveInfo DriveSimulation::info() const {
 }
 
 double DriveSimulation::progress() const {
-  return std::clamp((traffic_.ego().station - drive_road_->start) / (config_.km * 1000), 0.0, 1.0);
-}
-
-bool DriveSimulation::is_due(double hz) const { return ticks_ % ticks_a_period(hz, "sensor") == 0; }
-
-void DriveSimulation::measure(const Scene& now) {
-  std::vector<Measurement> measured;
-  for (const auto& sensor : sensors_) {
-    if (is_due(sensor->hz())) sensor->observe(now, measured);
-  }
-  for (Measurement& measurement : measured) {
-    const Stamp& stamp = stamp_of(measurement);
-    on_their_way_.emplace(std::pair(stamp.received_at, stamp.sensor_id), std::move(measurement));
-  }
-}
-
-void DriveSimulation::hand_out(Time now, std::vector<Measurement>& measurements) {
-  while (!on_their_way_.empty() && on_their_way_.begin()->first.first <= now) {
-    measurements.push_back(std::move(on_their_way_.begin()->second));
-    on_their_way_.erase(on_their_way_.begin());
-  }
+  return std::clamp((ego_station_ - drive_road_->start) / (config_.km * 1000), 0.0, 1.0);
 }
 
 bool DriveSimulation::step(std::vector<Measurement>& measurements, std::vector<TrueFrame>& truth) {
-  measurements.clear();
-  truth.clear();
-  if (over_) return false;
-  const Scene now = traffic_.scene(kSimulationStart + ticks_ * kTick);
-  measure(now);
-  if (is_due(preset_.fusion_hz)) truth.push_back(true_frame(now));
-  over_ = progress() >= 1;
-  hand_out(over_ ? Time::max() : now.time, measurements);
-  if (!over_) {
-    traffic_.advance(to_seconds(kTick));
-    ++ticks_;
+  if (over_) {
+    measurements.clear();
+    truth.clear();
+    return false;
   }
+  const Scene now = traffic_->scene(suite_.next());
+  ego_station_ = now.ego.station;
+  over_ = progress() >= 1;
+  suite_.look(now, over_, measurements, truth);
+  if (!over_) traffic_->advance(to_seconds(kTick));
   return true;
 }
 

@@ -3,21 +3,18 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "sensors/drive.hpp"
 #include "sensors/measurement.hpp"
-#include "sensors/rig.hpp"
 #include "sensors/truth.hpp"
 #include "simulation/drive_road.hpp"
 #include "simulation/preset.hpp"
 #include "simulation/road_as_map.hpp"
 #include "simulation/scenario.hpp"
-#include "simulation/sensor_model.hpp"
+#include "simulation/sensor_suite.hpp"
 #include "simulation/traffic.hpp"
 
 namespace lanefuse {
@@ -45,7 +42,7 @@ class DriveSimulation {
   DriveSimulation(const SimulationConfig& config, const SensorPreset& preset);
 
   [[nodiscard]] const Scenario& scenario() const { return config_.scenario; }
-  [[nodiscard]] Rig rig() const;
+  [[nodiscard]] Rig rig() const { return suite_.rig(); }
   [[nodiscard]] DriveInfo info() const;
   [[nodiscard]] TrueRoad road() const { return true_road(drive_road_->road); }
   /// The road as a map of the simulated world.
@@ -63,22 +60,13 @@ class DriveSimulation {
   SimulationConfig config_;
   SensorPreset preset_;
   std::unique_ptr<const DriveRoad> drive_road_;  ///< in one place, as traffic and scene refer to it
-  std::vector<std::unique_ptr<SensorModel>> sensors_;
-  Traffic traffic_;
-  std::int64_t ticks_ = 0;
+  std::unique_ptr<TrafficModel> traffic_;
+  double ego_station_;  ///< [m]
+  SensorSuite suite_;
   bool over_ = false;
-  /// Measured, but not yet received: by time of receiving and sensor.
-  std::multimap<std::pair<Time, std::uint32_t>, Measurement> on_their_way_;
 
   void add_sensors();
   void add_sensor(std::unique_ptr<SensorModel> sensor);
-  void measure(const Scene& now);
-  [[nodiscard]] bool is_due(double hz) const;
-  void hand_out(Time now, std::vector<Measurement>& measurements);
 };
-
-/// The moment at which simulated drives begin: 9 October 2016, 00:00 UTC.
-inline constexpr Time kSimulationStart = from_nanoseconds(1'475'971'200'000'000'000);
-inline constexpr Duration kTick{20'000'000};
 
 }  // namespace lanefuse

@@ -8,9 +8,9 @@
 
 namespace lanefuse {
 
-ReferenceLine::ReferenceLine(const std::vector<RoadElement>& elements) {
+ReferenceLine::ReferenceLine(const std::vector<RoadElement>& elements, const Pose2& start) {
   assert(!elements.empty());
-  Piece piece{0, 0, {}};
+  Piece piece{0, start.heading, {}};
   for (const RoadElement& element : elements) {
     assert(element.length > 0 && element.length == std::floor(element.length));
     piece.element = element;
@@ -19,7 +19,7 @@ ReferenceLine::ReferenceLine(const std::vector<RoadElement>& elements) {
     piece.begin += element.length;
   }
   positions_.reserve(static_cast<std::size_t>(length()) + 1);
-  positions_.emplace_back(0, 0);
+  positions_.push_back(start.position());
   for (double station = 0; station < length(); ++station) {
     positions_.push_back(positions_.back() + displacement(station, station + 1));
   }

@@ -22,8 +22,8 @@ struct RoadElement {
 /// integrated so finely that their error is of the order of rounding. Memory: 16 bytes a metre.
 class ReferenceLine {
  public:
-  /// Starts at the origin, heading along x. `elements` are not empty.
-  explicit ReferenceLine(const std::vector<RoadElement>& elements);
+  /// Starts at the origin, heading along x, if nothing else is said. `elements` are not empty.
+  explicit ReferenceLine(const std::vector<RoadElement>& elements, const Pose2& start = {});
 
   [[nodiscard]] double length() const { return pieces_.back().begin + pieces_.back().element.length; }
 

@@ -48,17 +48,17 @@ const char* to_string(RoadKind kind) {
 Road::Road(RoadKind kind, double length, const RoadPreset& preset, std::uint64_t seed)
     : Road(generated_road({kind, length}, preset, seed)) {}
 
-Road::Road(ReferenceLine reference, RoadHeight height, RoadLayout layout)
-    : reference_(std::move(reference)), height_(std::move(height)), layout_(std::move(layout)) {}
+Road::Road(ReferenceLine reference, RoadHeight height, RoadParts parts)
+    : reference_(std::move(reference)), height_(std::move(height)), parts_(std::move(parts)) {}
 
 const RoadLine& Road::line_at_index(int line) const {
   assert(line >= 0 && line < line_count());
-  return layout_.lines[static_cast<std::size_t>(line)];
+  return parts_.lines[static_cast<std::size_t>(line)];
 }
 
 const RoadLane& Road::lane_at_index(int lane) const {
   assert(lane >= 0 && lane < lane_count());
-  return layout_.lanes[static_cast<std::size_t>(lane)];
+  return parts_.lanes[static_cast<std::size_t>(lane)];
 }
 
 bool Road::line_exists(int line, double station) const { return line_at_index(line).stretch.holds(station); }
@@ -100,15 +100,15 @@ bool Road::lane_exists(int lane, double station) const {
 }
 
 double Road::lane_centre(int lane, double station) const {
-  const RoadLane& layout = lane_at_index(lane);
-  if (layout.centre) return layout.centre->at(station);
-  return (line_lateral(layout.left_line, station) + line_lateral(layout.right_line, station)) / 2;
+  const RoadLane& strip = lane_at_index(lane);
+  if (strip.centre) return strip.centre->at(station);
+  return (line_lateral(strip.left_line, station) + line_lateral(strip.right_line, station)) / 2;
 }
 
 double Road::lane_centre_slope(int lane, double station) const {
-  const RoadLane& layout = lane_at_index(lane);
-  if (layout.centre) return layout.centre->slope(station);
-  return (line_slope(layout.left_line, station) + line_slope(layout.right_line, station)) / 2;
+  const RoadLane& strip = lane_at_index(lane);
+  if (strip.centre) return strip.centre->slope(station);
+  return (line_slope(strip.left_line, station) + line_slope(strip.right_line, station)) / 2;
 }
 
 double Road::lane_width(int lane, double station) const {
@@ -136,7 +136,7 @@ std::optional<int> Road::neighbour(int lane, Side side, double station) const {
 }
 
 double Road::guard_rail(int side, double station) const {
-  return (side > 0 ? layout_.left_rail : layout_.right_rail).at(station);
+  return (side > 0 ? parts_.left_rail : parts_.right_rail).at(station);
 }
 
 Pose2 Road::pose(double station, double lateral) const {

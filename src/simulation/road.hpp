@@ -9,7 +9,7 @@
 #include "simulation/preset.hpp"
 #include "simulation/reference_line.hpp"
 #include "simulation/road_height.hpp"
-#include "simulation/road_layout.hpp"
+#include "simulation/road_parts.hpp"
 
 namespace lanefuse {
 
@@ -27,14 +27,14 @@ class Road {
  public:
   /// A road of one width from end to end.
   Road(RoadKind kind, double length, const RoadPreset& preset, std::uint64_t seed);
-  Road(ReferenceLine reference, RoadHeight height, RoadLayout layout);
+  Road(ReferenceLine reference, RoadHeight height, RoadParts parts);
 
   [[nodiscard]] const ReferenceLine& reference() const { return reference_; }
   [[nodiscard]] const RoadHeight& height() const { return height_; }
-  [[nodiscard]] const RoadLayout& layout() const { return layout_; }
+  [[nodiscard]] const RoadParts& parts() const { return parts_; }
   [[nodiscard]] double length() const { return reference_.length(); }
 
-  [[nodiscard]] int line_count() const { return static_cast<int>(layout_.lines.size()); }
+  [[nodiscard]] int line_count() const { return static_cast<int>(parts_.lines.size()); }
   [[nodiscard]] bool line_exists(int line, double station) const;
   /// Whether any of the line lies in the stretch.
   [[nodiscard]] bool line_runs_within(int line, const Stretch& stretch) const;
@@ -48,7 +48,7 @@ class Road {
   [[nodiscard]] bool painted(int line, double station) const;
 
   /// All lanes that vehicles drive on, entries and exits among them.
-  [[nodiscard]] int lane_count() const { return static_cast<int>(layout_.lanes.size()); }
+  [[nodiscard]] int lane_count() const { return static_cast<int>(parts_.lanes.size()); }
   [[nodiscard]] bool lane_exists(int lane, double station) const;
   [[nodiscard]] LaneKind lane_kind(int lane) const { return lane_at_index(lane).kind; }
   [[nodiscard]] double lane_begin(int lane) const;  ///< [m] station
@@ -77,7 +77,7 @@ class Road {
  private:
   ReferenceLine reference_;
   RoadHeight height_;
-  RoadLayout layout_;
+  RoadParts parts_;
 
   [[nodiscard]] const RoadLine& line_at_index(int line) const;
   [[nodiscard]] const RoadLane& lane_at_index(int lane) const;

@@ -41,7 +41,7 @@ double arc_length_at(const std::vector<Eigen::Vector3d>& points, const std::vect
 }
 
 MapBoundary boundary_of(const Road& road, int index) {
-  const RoadLine& line = road.layout().lines[static_cast<std::size_t>(index)];
+  const RoadLine& line = road.parts().lines[static_cast<std::size_t>(index)];
   MapBoundary boundary{id_of(index), {}, {}};
   boundary.points = points_along(road, line.stretch, [&line](double s) { return line.lateral.at(s); });
   const std::vector<double> stations = stations_of(line.stretch, road.length());
@@ -96,14 +96,14 @@ void add_shoulder(const Road& road, const HardShoulder& shoulder, RoadMap& map) 
 RoadMap road_map(const Road& road) {
   RoadMap map;
   for (int i = 0; i < road.line_count(); ++i) {
-    if (!road.layout().lines[static_cast<std::size_t>(i)].ghost)
+    if (!road.parts().lines[static_cast<std::size_t>(i)].ghost)
       map.boundaries.push_back(boundary_of(road, i));
   }
   for (int i = 0; i < road.lane_count(); ++i) {
     map.lanes.push_back({id_of(i), road.lane_kind(i), id_of(road.left_line(i)), id_of(road.right_line(i)),
                          beside(road, i, Side::left), beside(road, i, Side::right), successors_of(road, i)});
   }
-  for (const HardShoulder& shoulder : road.layout().shoulders) add_shoulder(road, shoulder, map);
+  for (const HardShoulder& shoulder : road.parts().shoulders) add_shoulder(road, shoulder, map);
   return map;
 }
 

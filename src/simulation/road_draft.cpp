@@ -36,7 +36,7 @@ RoadDraft::RoadDraft(const RoadPreset& preset, double length, Random& random)
     const double phase = random.uniform(0, preset.dash_mark + preset.dash_gap);
     const bool edge = i == 0 || i == preset.lanes;
     const double lateral = lane_width_ * (preset.lanes / 2.0 - i);
-    layout_.lines.push_back(
+    parts_.lines.push_back(
         {{0, length}, LateralCourse(lateral), {edge ? edge_style() : lane_line_style(phase)}});
   }
   for (int i = 0; i < preset.lanes; ++i) {
@@ -62,17 +62,17 @@ PaintStyle RoadDraft::lane_line_style(double phase) const {
 }
 
 int RoadDraft::add_edge(Stretch stretch, LateralCourse lateral) {
-  layout_.lines.push_back({stretch, std::move(lateral), {edge_style()}});
-  return static_cast<int>(layout_.lines.size()) - 1;
+  parts_.lines.push_back({stretch, std::move(lateral), {edge_style()}});
+  return static_cast<int>(parts_.lines.size()) - 1;
 }
 
 void RoadDraft::add_lane(LaneKind kind, int left_line, int right_line) {
-  layout_.lanes.push_back({kind, left_line, right_line, {}});
+  parts_.lanes.push_back({kind, left_line, right_line, {}});
 }
 
 void RoadDraft::add_shoulder(int left_line, Stretch stretch) {
   if (stretch.end - stretch.begin < kShortestShoulder) return;
-  layout_.shoulders.push_back({left_line, stretch, preset_.shoulder});
+  parts_.shoulders.push_back({left_line, stretch, preset_.shoulder});
 }
 
 void RoadDraft::add_ghost(RoadLine line) {
@@ -86,12 +86,12 @@ void RoadDraft::paint(int index, double from, PaintStyle style) {
 }
 
 void RoadDraft::remove_paint(int from_line, Stretch stretch) {
-  for (auto i = static_cast<std::size_t>(from_line); i < layout_.lines.size(); ++i) {
-    layout_.lines[i].unpainted.push_back(stretch);
+  for (auto i = static_cast<std::size_t>(from_line); i < parts_.lines.size(); ++i) {
+    parts_.lines[i].unpainted.push_back(stretch);
   }
 }
 
-RoadLayout RoadDraft::finished() const {
+RoadParts RoadDraft::finished() const {
   RoadDraft draft = *this;
   double begin = 0;
   tidy(draft.without_shoulder_);
@@ -100,10 +100,10 @@ RoadLayout RoadDraft::finished() const {
     begin = none.end;
   }
   draft.add_shoulder(right_edge(), {begin, length_});
-  RoadLayout layout = std::move(draft.layout_);
-  layout.lines.insert(layout.lines.end(), ghosts_.begin(), ghosts_.end());
-  for (RoadLine& line : layout.lines) tidy(line.unpainted);
-  return layout;
+  RoadParts parts = std::move(draft.parts_);
+  parts.lines.insert(parts.lines.end(), ghosts_.begin(), ghosts_.end());
+  for (RoadLine& line : parts.lines) tidy(line.unpainted);
+  return parts;
 }
 
 }  // namespace lanefuse

@@ -6,11 +6,11 @@
 
 #include "core/random.hpp"
 #include "simulation/preset.hpp"
-#include "simulation/road_layout.hpp"
+#include "simulation/road_parts.hpp"
 
 namespace lanefuse {
 
-/// A road's layout while events are laid onto it, in the order of their stations. The first lines and lanes
+/// A road's parts while events are laid onto it, in the order of their stations. The first lines and lanes
 /// are those that run from end to end.
 class RoadDraft {
  public:
@@ -23,10 +23,10 @@ class RoadDraft {
   [[nodiscard]] int right_edge() const { return preset_.lanes; }
   [[nodiscard]] double shoulder() const { return preset_.shoulder; }
 
-  [[nodiscard]] RoadLine& line(int index) { return layout_.lines[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] RoadLane& lane(int index) { return layout_.lanes[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] LateralCourse& left_rail() { return layout_.left_rail; }
-  [[nodiscard]] LateralCourse& right_rail() { return layout_.right_rail; }
+  [[nodiscard]] RoadLine& line(int index) { return parts_.lines[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] RoadLane& lane(int index) { return parts_.lanes[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] LateralCourse& left_rail() { return parts_.left_rail; }
+  [[nodiscard]] LateralCourse& right_rail() { return parts_.right_rail; }
 
   /// Adds a solid white line and gives its index.
   int add_edge(Stretch stretch, LateralCourse lateral);
@@ -44,13 +44,13 @@ class RoadDraft {
   /// The paint of lines from this index on is missing there.
   void remove_paint(int from_line, Stretch stretch);
 
-  [[nodiscard]] RoadLayout finished() const;
+  [[nodiscard]] RoadParts finished() const;
 
  private:
   RoadPreset preset_;
   double length_;
   double lane_width_;
-  RoadLayout layout_;
+  RoadParts parts_;
   std::vector<RoadLine> ghosts_;
   std::vector<Stretch> without_shoulder_;
 };

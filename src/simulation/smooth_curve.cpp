@@ -58,7 +58,7 @@ SmoothCurve::SmoothCurve(std::span<const Sample> samples, double spacing) {
     add_row(normal, i, Eigen::Vector4d(-1, 3, -3, 1), kThirdDifference);
   for (Eigen::Index i = 0; i + 2 < count; ++i)
     add_row(normal, i, Eigen::Vector3d(1, -2, 1), kSecondDifference);
-  if (samples.size() == 1) add_row(normal, 0, Eigen::Vector2d(1, -1), kSecondDifference);
+  if (first.at == last.at) add_row(normal, 0, Eigen::Vector2d(1, -1), kSecondDifference);
   knots_ = normal.ldlt().solve(right);
 }
 

@@ -106,8 +106,10 @@ TEST(Compare, OtherSeedsAreComparedAsAWhole) {
 }
 
 TEST(Compare, RefusesWhatCannotBeCompared) {
-  const std::vector other_preset{result_line(seed(1), 0.1, {"1", "other", "c"})};
+  const std::vector other_preset{result_line(seed(1), 0.1, {"1", "other", "s", "c"})};
   EXPECT_THROW(compare(drives({0.1}), other_preset), Error);
+  const std::vector other_scene{result_line(seed(1), 0.1, {"1", "p", "other", "c"})};
+  EXPECT_THROW(compare(drives({0.1}), other_scene), Error);
   auto other_truth = drives({0.1});
   other_truth[0].key.truth = "surveyed";
   EXPECT_THROW(compare(drives({0.1}), other_truth), Error);

@@ -55,7 +55,7 @@ TEST_F(ResultsOnDisk, WhatIsWrittenIsRead) {
   EXPECT_EQ(file.whole_bytes, std::filesystem::file_size(path_));
   EXPECT_EQ(file.lines[1].key, seed(2));
   EXPECT_EQ(file.lines[1].text, written[1].text);
-  EXPECT_EQ(file.lines[1].provenance, (Provenance{"1", "p", "c"}));
+  EXPECT_EQ(file.lines[1].provenance, (Provenance{"1", "p", "s", "c"}));
 }
 
 TEST_F(ResultsOnDisk, ACutLineIsNoticedAndWrittenAnewWhereverItWasCut) {
@@ -116,16 +116,18 @@ TEST(Merge, OtherOriginsOfOneDriveAreNamed) {
       merge_results({file_of({result_line(seed(1), 0.1)}), file_of({result_line(seed(1), 0.1, other)})});
     });
   };
-  EXPECT_THAT(refusal_of({"1", "other", "c"}), HasSubstr("preset"));
-  EXPECT_THAT(refusal_of({"1", "p", "other"}), HasSubstr("configuration"));
-  EXPECT_THAT(refusal_of({"2", "p", "c"}), HasSubstr("version"));
+  EXPECT_THAT(refusal_of({"1", "other", "s", "c"}), HasSubstr("preset"));
+  EXPECT_THAT(refusal_of({"1", "p", "s", "other"}), HasSubstr("configuration"));
+  EXPECT_THAT(refusal_of({"1", "p", "other", "c"}), HasSubstr("scene"));
+  EXPECT_THAT(refusal_of({"2", "p", "s", "c"}), HasSubstr("version"));
 }
 
 TEST(Merge, VariantsOfOneDriveAreTwoDrives) {
   DriveKey other = seed(1);
   other.variant = "no-width";
-  EXPECT_THAT(merge_results({file_of({result_line(seed(1), 0.1), result_line(other, 0.2, {"1", "p", "d"})})}),
-              SizeIs(2));
+  EXPECT_THAT(
+      merge_results({file_of({result_line(seed(1), 0.1), result_line(other, 0.2, {"1", "p", "s", "d"})})}),
+      SizeIs(2));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmark/suite.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -49,6 +50,21 @@ TEST(Suites, AblationsAreEveryVariantOnTheGentleRoad) {
 
 TEST(Suites, ScenesAreAllThereAre) {
   EXPECT_THAT(drives_of({.suite = "scenes"}), SizeIs(benchmark_scenes().size()));
+}
+
+TEST(Suites, TheNominalSceneComesOnBothRoadsAndOnce) {
+  const auto drives = drives_of({.suite = "scenes"});
+  const auto nominal = std::count_if(drives.begin(), drives.end(),
+                                     [](const DriveKey& key) { return key.scene.starts_with("nominal"); });
+  EXPECT_EQ(nominal, 2);
+  for (const DriveKey& drive : drives) EXPECT_EQ(simulation_of(drive).scenario.name, drive.scene);
+}
+
+TEST(Suites, ASceneIsDrivenOnItsOwnRoad) {
+  const auto drives = drives_of({.suite = "nominal", .scene = "sharp-bends"});
+  ASSERT_THAT(drives, SizeIs(1));
+  EXPECT_EQ(drives[0].road, "sharp");
+  EXPECT_THROW(drives_of({.road = "gentle", .scene = "sharp-bends"}), Error);
 }
 
 TEST(Suites, ComeSeedBySeed) {

@@ -64,7 +64,7 @@ std::vector<ResultLine> two_roads_and_variants() {
       DriveKey key = seed(1);
       key.road = road;
       key.variant = variant;
-      lines.push_back(result_line(key, 0.1, {"1", "p", variant}));
+      lines.push_back(result_line(key, 0.1, {"1", "p", "s", variant}));
     }
   }
   return lines;
@@ -96,9 +96,10 @@ TEST(Summary, RefusesToMixOrigins) {
     return summarise(std::vector{result_line(seed(1), 0.1), result_line(seed(2), 0.1, other)},
                      GroupBy::scene);
   };
-  EXPECT_THROW(mixed({"1", "other", "c"}), Error);
-  EXPECT_THROW(mixed({"1", "p", "other"}), Error);
-  EXPECT_THROW(mixed({"2", "p", "c"}), Error);
+  EXPECT_THROW(mixed({"1", "other", "s", "c"}), Error);
+  EXPECT_THROW(mixed({"1", "p", "s", "other"}), Error);
+  EXPECT_THROW(mixed({"1", "p", "other", "c"}), Error);
+  EXPECT_THROW(mixed({"2", "p", "s", "c"}), Error);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ inline nlohmann::ordered_json distances(double rmse, std::uint64_t n) {
 
 /// The ego lane's RMSE at 0 m is `rmse`, all else follows from it; nothing is timed.
 inline ResultLine result_line(const DriveKey& key, double rmse,
-                              const Provenance& provenance = {"1", "p", "c"}) {
+                              const Provenance& provenance = {"1", "p", "s", "c"}) {
   nlohmann::ordered_json json = head_json(key, provenance);
   json["lanes"] = {{"ego", distances(rmse, 100)}, {"adjacent", distances(2 * rmse, 100)}};
   json["wrong_lane_rate"] = 0.0;

@@ -8,7 +8,8 @@ import subprocess
 
 import program
 
-HEAD = ["scene", "road", "seed", "km", "variant", "estimator", "truth", "version", "preset", "configuration_hash"]
+HEAD = ["scene", "road", "seed", "km", "variant", "estimator", "truth", "version", "preset", "scene_hash",
+        "configuration_hash"]
 TIMES = {"cycle_ms", "stage_s", "wall_s"}
 
 
@@ -58,7 +59,7 @@ class Drives(BenchmarkTest):
         done = self.call("benchmark", "--km", 0.3, "--road", "gentle", "--seeds", "1-3", "--no-times", "-o", "cut.jsonl")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("cut off", done.stderr)
-        self.assertIn("3 drives, 1 of them", done.stdout)
+        self.assertIn("2 of 3 drives driven, 1 there already", done.stdout)
         self.assertEqual(self.bytes_of("cut.jsonl"), whole)
 
     def test_slices_merge_to_the_whole(self):

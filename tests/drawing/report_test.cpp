@@ -78,10 +78,42 @@ TEST(WriteReport, EscapesWhatComesFromOutside) {
 TEST(WriteReport, HasARowForEveryDistanceAndAFigureForEveryMoment) {
   const Report report = believable_report(believable_exact_result());
   const std::string html = write_report(report);
-  EXPECT_EQ(testing::occurrences(html, "<tr>"), 2 + static_cast<int>(kDistanceCount));
+  // Two rows of headings and one a distance; the same at every other distance beside Table I; the traffic's
+  // two tables have a row a range.
+  const int ranges =
+      static_cast<int>(report.evaluation.by_vehicles_ahead.size() + report.evaluation.by_gap_ahead.size());
+  EXPECT_EQ(testing::occurrences(html, "<tr>"), 2 + static_cast<int>(kDistanceCount) + 2 + 7 + 4 + ranges);
   EXPECT_EQ(testing::occurrences(html, "<figure>"), 1);
   EXPECT_TRUE(contains(html, "<td>" + metres(report.evaluation.lanes.ego[6].rmse_m) + "</td>"));
   EXPECT_TRUE(contains(html, "51,234"));
+}
+
+TEST(WriteReport, AgainstTheDrivenPathIsSilentOnTableOneAndTraffic) {
+  const std::string html = write_report(believable_report(believable_path_result()));
+  for (const char* section : {"Table I", "Error and traffic", "On the map", "serial camera alone"}) {
+    EXPECT_FALSE(contains(html, section)) << section;
+  }
+}
+
+TEST(WriteReport, ShowsTheDriveAndItsMomentsOnTheMap) {
+  Report report = believable_report(believable_exact_result());
+  EXPECT_FALSE(contains(write_report(report), "On the map"));
+  for (int i = 0; i < 50; ++i) report.trace.push_back({{30.0 * i, 0.1 * i * i}, 0.02 * i});
+  report.trace[20].error = std::numeric_limits<double>::quiet_NaN();
+  report.moments[0].world_from_vehicle = Pose2{100, -40, 0.6};
+  const std::string html = write_report(report);
+  EXPECT_TRUE(contains(html, "On the map"));
+  EXPECT_TRUE(contains(html, "along the drive"));
+  EXPECT_FALSE(testing::prints_nan(html));
+  EXPECT_EQ(testing::malformed(html), "");
+}
+
+TEST(WriteReport, PutsTheSerialCameraBesideTheEgoLane) {
+  EvaluationResult result = believable_exact_result();
+  result.serial_camera = SerialCameraStatistics{result.lanes.ego, result.lanes.ego};
+  const std::string html = write_report(believable_report(result));
+  EXPECT_TRUE(contains(html, "Beside the serial camera alone"));
+  EXPECT_TRUE(contains(html, "serial camera, within its range [m]"));
 }
 
 DeviationStatistics at(double distance, double rmse, double availability) {

@@ -183,6 +183,37 @@ TEST(ExactTruth, ConsistencyIsOneWhereSigmaIsTheDeviation) {
   EXPECT_EQ(evaluate(scene, estimate).consistency.ego[5].n, 0U);
 }
 
+TEST(ExactTruth, CoverageCountsWhatLiesInsideTheStatedIntervals) {
+  RoadScene scene;
+  scene.course = {kLaneWidth / 2, 0, 0, 0};
+  const TrueRoad road = true_road(scene);
+  ExactTruthEvaluation evaluation(road);
+  for (const double sigmas : {0.9, 1.5, 2.2, 3.0}) {
+    LaneEstimate estimate = perfect_estimate(scene);
+    shift(estimate, 0.1 * sigmas);
+    evaluation.add(estimate, true_frame(scene));
+  }
+  const ConsistencyStatistics at = evaluation.result().consistency.ego[0];
+  EXPECT_DOUBLE_EQ(at.within_68, 0.25);
+  EXPECT_DOUBLE_EQ(at.within_95, 0.5);
+  EXPECT_DOUBLE_EQ(at.within_99, 0.75);
+}
+
+TEST(ExactTruth, KeepsWhereTheErrorWasHowLarge) {
+  RoadScene scene;
+  scene.course = {kLaneWidth / 2, 0, 0, 0};
+  const TrueRoad road = true_road(scene);
+  ExactTruthEvaluation evaluation(road);
+  LaneEstimate estimate = perfect_estimate(scene);
+  estimate.boundaries[1].clothoid.lateral_offset -= 0.3;
+  evaluation.add(estimate, true_frame(scene));
+  evaluation.add(LaneEstimate{}, true_frame(scene));
+  ASSERT_EQ(evaluation.trace().size(), 2U);
+  EXPECT_EQ(evaluation.trace()[0].position, scene.world_from_vehicle.position());
+  EXPECT_NEAR(evaluation.trace()[0].error, 0.3, 1e-9);
+  EXPECT_TRUE(std::isnan(evaluation.trace()[1].error));
+}
+
 TEST(ExactTruth, OffTheRoadACycleIsCountedAndNotJudged) {
   RoadScene scene;
   const TrueRoad road = true_road(scene);

@@ -84,5 +84,21 @@ TEST(TrueRoadView, AnEmptyRoadIsSeenAsEmpty) {
   EXPECT_FALSE(pointless_view.look_from({})[0].y(0));
 }
 
+TEST(TrueRoadView, FindsABoundaryAgainThatComesIntoSightElsewhere) {
+  // A ramp: from the car's start it is nearest at its begin, and it comes back to the road 3 km on.
+  TrueRoad road = WindingRoad::road();
+  TrueBoundary ramp;
+  for (int along = 0; along < 4000; along += 2) {
+    const double away = 900 * std::pow(std::sin(along / 3000.0 * 3.14159), 2);
+    ramp.points.push_back(WindingRoad::pose(along) * Eigen::Vector2d(0, -5.4 - away));
+  }
+  // The way back on the other side of the road lies between, so that creeping along the ramp gets stuck.
+  for (std::size_t i = 600; i < 900; ++i) ramp.points[i].x() -= 700;
+  road.boundaries.push_back(ramp);
+  TrueRoadView moving(road);
+  for (double along = 0; along < 3300; along += 2.4) moving.look_from(WindingRoad::pose(along));
+  EXPECT_TRUE(moving.lines()[3].y(0));
+}
+
 }  // namespace
 }  // namespace lanefuse

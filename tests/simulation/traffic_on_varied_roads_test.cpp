@@ -79,7 +79,7 @@ RC_GTEST_PROP(VariedRoads, NobodyCollidesOrLeavesItsLane, ()) {
   config.ego.lane_change_every = 10;
   const Road road = VariedRoad::make(seed);
   Traffic traffic(road, config, start, seed);
-  for (int tick = 0; tick < 25 * 50; ++tick) {
+  for (int tick = 0; tick < 16 * 50; ++tick) {
     traffic.advance(kTickSeconds);
     if (tick % 10 != 0) continue;
     const auto wrong = collision(traffic);

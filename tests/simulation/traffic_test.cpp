@@ -31,7 +31,7 @@ TEST(Traffic, NeverCollidesAndKeepsToItsLanes) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const Vehicle& driver = run.traffic().vehicles()[i == all.size() - 1 ? 0 : i + 1];
         ASSERT_EQ(driver.id, all[i].id);
-        const double off = std::abs(all[i].lateral - run.road().lane_centre(all[i].lane));
+        const double off = std::abs(all[i].lateral - run.road().lane_centre(all[i].lane, all[i].station));
         ASSERT_TRUE(driver.lateral.changing() || off + all[i].width / 2 <= run.road().lane_width() / 2);
         for (std::size_t j = 0; j < i; ++j) ASSERT_FALSE(overlap(all[i], all[j])) << "seed " << seed;
       }
@@ -85,7 +85,7 @@ TEST(Traffic, WandersAsThePresetSays) {
       if (tick % 100 != 0) continue;
       for (const Vehicle& vehicle : run.traffic().vehicles()) {
         if (vehicle.id == kEgoId || vehicle.truck || vehicle.lateral.changing()) continue;
-        off.add(vehicle.lateral.state().position - run.road().lane_centre(vehicle.lane));
+        off.add(vehicle.lateral.state().position - run.road().lane_centre(vehicle.lane, vehicle.station));
       }
     }
   }

@@ -24,7 +24,7 @@ class VariedRoad {
     ReferenceLine reference({{2000, 0, 0}, {500, 0, 1e-6}, {3000, 5e-4, 0}, {1500, 5e-4, -1e-6}});
     const double length = reference.length();
     RoadHeight height(preset, length, heights);
-    return {std::move(reference), std::move(height), layout(length)};
+    return {std::move(reference), std::move(height), parts(length)};
   }
 
  private:
@@ -32,8 +32,8 @@ class VariedRoad {
     return {stretch, std::move(course), {{0, {MarkingType::dashed, MarkingColour::white}, 0.15, 6, 12}}};
   }
 
-  static RoadLayout layout(double length) {
-    RoadLayout layout;
+  static RoadParts parts(double length) {
+    RoadParts parts;
     const double usual[] = {7.2, 3.6, 0, -3.6, -7.2};
     const double shifted[] = {0, 5.2, 2.4, -0.5, -3.6};
     for (int i = 0; i < 5; ++i) {
@@ -42,18 +42,18 @@ class VariedRoad {
         course.swing(4200, 4400, shifted[i]);
         course.swing(5000, 5200, usual[i]);
       }
-      layout.lines.push_back(line({0, length}, course));
+      parts.lines.push_back(line({0, length}, course));
     }
-    layout.lines[0].stretch.end = kEndingLaneEnd;
-    layout.lines[0].lateral.swing(1440, kEndingLaneEnd, usual[1]);
-    layout.lines.push_back(ramp_line(2500, kEntryEnd, true));
-    layout.lines.push_back(ramp_line(3500, 3810, false));
-    for (int i = 0; i < 4; ++i) layout.lanes.push_back({LaneKind::driving, i, i + 1});
-    layout.lanes.push_back({LaneKind::entry, 4, 5});
-    layout.lanes.push_back({LaneKind::exit, 4, 6});
-    layout.left_rail = LateralCourse(9);
-    layout.right_rail = LateralCourse(-14);
-    return layout;
+    parts.lines[0].stretch.end = kEndingLaneEnd;
+    parts.lines[0].lateral.swing(1440, kEndingLaneEnd, usual[1]);
+    parts.lines.push_back(ramp_line(2500, kEntryEnd, true));
+    parts.lines.push_back(ramp_line(3500, 3810, false));
+    for (int i = 0; i < 4; ++i) parts.lanes.push_back({LaneKind::driving, i, i + 1});
+    parts.lanes.push_back({LaneKind::entry, 4, 5});
+    parts.lanes.push_back({LaneKind::exit, 4, 6});
+    parts.left_rail = LateralCourse(9);
+    parts.right_rail = LateralCourse(-14);
+    return parts;
   }
 
   /// The outer line of a lane at the right edge, 60 m to widen and, if it closes again, 60 m to end.

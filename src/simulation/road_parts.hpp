@@ -56,7 +56,7 @@ struct HardShoulder {
   double width = 2.5;  ///< [m]
 };
 
-struct RoadLayout {
+struct RoadParts {
   std::vector<RoadLine>
       lines;  ///< from left to right, wherever two of them run side by side; ghosts come last
   std::vector<RoadLane> lanes;  ///< from left to right, wherever two of them run side by side
