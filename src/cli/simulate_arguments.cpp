@@ -12,6 +12,7 @@ void add_replay(CLI::App& command, ReplayOptions& replay) {
   CLI::Option* file = command.add_option("--commonroad", replay.scenario,
                                          "replay the traffic recorded in a CommonRoad scenario (.xml)");
   for (const char* other : {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios",
+                            "--traffic", "--gnss-ins", "--road-seed", "--lane", "--ego-lane-changes",
                             "--no-serial-camera", "--no-high-resolution-camera", "--no-objects"}) {
     file->excludes(command.get_option(other));
   }
@@ -58,6 +59,12 @@ void add_simulate(CommandLine& line) {
   command.add_option("--write-map", options.write_map,
                      "write the road as a map, too (.xodr, .osm, .geojson)");
   command.add_flag("--list-scenarios", options.list_scenarios, "print the scenarios' names, and stop");
+  command
+      .add_option_function<std::string>(
+          "--traffic", [&config](const std::string& whose) { config.sumo = whose == "sumo"; },
+          "whose drivers: built-in, or sumo if it is built in")
+      ->check(CLI::IsMember({"built-in", "sumo"}))
+      ->default_str("built-in");
   const auto leave_out = [&command](const std::string& flag, bool& sensor, const std::string& what) {
     command.add_flag_callback(
         flag, [&sensor] { sensor = false; }, "leave out the " + what);

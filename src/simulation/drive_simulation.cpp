@@ -12,6 +12,7 @@
 #include "simulation/object_list_model.hpp"
 #include "simulation/odometry_model.hpp"
 #include "simulation/serial_camera_model.hpp"
+#include "simulation/sumo_traffic.hpp"
 #include "simulation/traffic_lanes.hpp"
 
 namespace lanefuse {
@@ -32,6 +33,13 @@ TrafficConfig traffic_of(const SimulationConfig& config, const SensorPreset& pre
   return traffic;
 }
 
+std::unique_ptr<TrafficModel> make_traffic(const SimulationConfig& config, const SensorPreset& preset,
+                                           const DriveRoad& road) {
+  const TrafficConfig traffic = traffic_of(config, preset, road);
+  if (config.sumo) return sumo_traffic(road.road, traffic, road.start, config.seed);
+  return std::make_unique<Traffic>(road.road, traffic, road.start, config.seed);
+}
+
 }  // namespace
 
 DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPreset& preset)
@@ -39,8 +47,7 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
       preset_(preset),
       drive_road_(std::make_unique<DriveRoad>(drive_road(config.scenario, config.road, config.km, preset.road,
                                                          config.road_seed.value_or(config.seed)))),
-      traffic_(std::make_unique<Traffic>(drive_road_->road, traffic_of(config, preset, *drive_road_),
-                                         drive_road_->start, config.seed)),
+      traffic_(make_traffic(config, preset, *drive_road_)),
       ego_station_(drive_road_->start),
       suite_(preset.fusion_hz) {
   add_sensors();

@@ -31,6 +31,7 @@ struct SimulationConfig {
   std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
   std::optional<int> ego_lane;             ///< to start in, from the left, from zero; else the middle one
   bool ego_lane_changes = true;            ///< whether the ego car may leave its lane
+  bool sumo = false;                       ///< SUMO's traffic instead of the built-in drivers
   Scenario scenario;  ///< the nominal one, if nothing is said; what it leaves out is off, too
 };
 
