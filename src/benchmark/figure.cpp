@@ -59,8 +59,8 @@ std::optional<DriveSample> sample_of(const Figure& figure, const Json& line) {
 }  // namespace
 
 std::span<const Figure> figures() {
-  static const std::vector<Figure> kFigures = make_figures();
-  return kFigures;
+  static const std::vector<Figure> all = make_figures();
+  return all;
 }
 
 std::size_t rmse_figure(bool adjacent, std::size_t shown_distance) {

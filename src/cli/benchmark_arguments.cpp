@@ -47,16 +47,16 @@ void add_merge(CLI::App& benchmark, CommandLine& line) {
 }
 
 void add_table(CLI::App& benchmark, CommandLine& line) {
-  static const std::map<std::string, GroupBy> kGroups{
+  static const std::map<std::string, GroupBy> groups{
       {"variant", GroupBy::variant}, {"scene", GroupBy::scene}, {"road", GroupBy::road}};
   auto& options = line.make<ResultsTableOptions>();
   CLI::App& command = *benchmark.add_subcommand("table", "means over drives, with confidence intervals");
   command.add_option("files", options.files, "the files of results (.jsonl)")->required();
-  const auto group = [&options](const std::string& by) { options.by = kGroups.at(by); };
+  const auto group = [&options](const std::string& by) { options.by = groups.at(by); };
   command
       .add_option_function<std::string>("--by", group,
                                         "one row a variant, scene or road, else one for each of all three")
-      ->check(CLI::IsMember(kGroups));
+      ->check(CLI::IsMember(groups));
   command.add_flag("--markdown", options.markdown, "as tables in Markdown");
   finish(command, line, options, show_results_table);
 }

@@ -12,19 +12,21 @@ Highlights::Highlights(Time begin, Time end) {
   }
 }
 
-void Highlights::add(const LaneRecord& record) {
+void Highlights::add(const LaneRecord& record, const std::function<void(LaneRecord&)>& complete) {
   const Time time = record.estimate.time;
   if (!first_) first_ = time;
   const double seconds = to_seconds(time - *first_);
   if (taken_ < due_.size() && time >= due_[taken_]) {
     while (taken_ < due_.size() && time >= due_[taken_]) ++taken_;
     spread_.push_back({record, seconds, false});
+    complete(spread_.back().record);
   }
   const auto off = std::count_if(record.debug.switches.begin(), record.debug.switches.end(),
                                  [](const SwitchState& s) { return s.value < 0.5; });
   if (off <= most_switched_count_) return;
   most_switched_count_ = off;
   most_switched_ = Highlight{record, seconds, true};
+  complete(most_switched_->record);
 }
 
 std::vector<Highlight> Highlights::chosen() const {

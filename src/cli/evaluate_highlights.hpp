@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,8 @@ class Highlights {
   /// The drive lasts from `begin` to `end`.
   Highlights(Time begin, Time end);
 
-  /// In order of time.
-  void add(const LaneRecord& record);
+  /// Records come in order of time and need no fused features: `complete` adds them to those that are kept.
+  void add(const LaneRecord& record, const std::function<void(LaneRecord&)>& complete);
   [[nodiscard]] std::optional<Time> first() const { return first_; }
   /// In order of time, each once.
   [[nodiscard]] std::vector<Highlight> chosen() const;

@@ -24,8 +24,8 @@ std::vector<Highlight> judge_all(const EvaluateOptions& options, const std::vect
   Progress progress("evaluating");
   LanesReader reader(options.lanes);
   LaneRecord record;
-  while (reader.next(record)) {
-    highlights.add(record);
+  while (reader.next_without_features(record)) {
+    highlights.add(record, [&reader](LaneRecord& kept) { reader.complete(kept); });
     judge(record.estimate);
     progress.show_seconds(to_seconds(record.estimate.time - *highlights.first()));
   }

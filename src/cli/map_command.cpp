@@ -30,12 +30,16 @@ struct Range {
   }
 };
 
-/// The distance between a lane's boundaries, at the points of the left one that lie beside the right one.
+constexpr std::size_t kWidths = 1000;  // measured along a lane at most
+
+/// The distance between a lane's boundaries, at points of the left one that lie beside the right one.
 Range width_of(const RoadMap& map, const MapLane& lane) {
   const MapBoundary& left = *find_boundary(map, lane.left_boundary);
   const MeasuredLine right(find_boundary(map, lane.right_boundary)->points);
   Range width;
-  for (const Eigen::Vector3d& point : left.points) {
+  const std::size_t stride = 1 + left.points.size() / kWidths;
+  for (std::size_t i = 0; i < left.points.size(); i += stride) {
+    const Eigen::Vector3d& point = left.points[i];
     const double arc = right.nearest(point);
     if (arc > 0 && arc < right.length()) width.add((point - right.at(arc)).head<2>().norm());
   }
@@ -94,15 +98,21 @@ Json map_json(const RoadMap& map) {
   return json;
 }
 
+/// How a boundary is painted half-way along the other one of its lane.
+const char* paint(const RoadMap& map, std::uint64_t boundary_id, std::uint64_t beside) {
+  const MapBoundary& boundary = *find_boundary(map, boundary_id);
+  const MeasuredLine other(find_boundary(map, beside)->points);
+  const double arc = MeasuredLine(boundary.points).nearest(other.at(other.length() / 2));
+  return to_string(style_at(boundary, arc).marking.type);
+}
+
 std::string lane_line(const RoadMap& map, const MapLane& lane) {
   const Range width = width_of(map, lane);
-  const auto style = [&map](std::uint64_t boundary) {
-    return to_string(find_boundary(map, boundary)->styles.front().marking.type);
-  };
   const std::string range =
       width.least <= width.most ? fmt::format("{:.2f}-{:.2f} m", width.least, width.most) : "unknown";
   return fmt::format("  {:>8}  {:<9}  {:8.1f} m  {:>12} wide  {} | {}\n", lane.id, to_string(lane.kind),
-                     length_of(map, lane), range, style(lane.left_boundary), style(lane.right_boundary));
+                     length_of(map, lane), range, paint(map, lane.left_boundary, lane.right_boundary),
+                     paint(map, lane.right_boundary, lane.left_boundary));
 }
 
 void print_map(const RoadMap& map) {

@@ -152,12 +152,12 @@ Chart coverage_chart(const EvaluationResult& result) {
 }
 
 Chart condition_chart(const std::string& title, const std::string& axis,
-                      const std::vector<ConditionStatistics>& conditions) {
+                      const std::vector<ConditionStatistics>& conditions, bool whole_numbers) {
   Chart chart{title, {axis, 0, 1, 1}, {}, {}};
   const auto middle = [&](std::size_t i) {
     const double step = i > 0 ? conditions[i].from - conditions[i - 1].from : 1;
-    return conditions[i].from +
-           (std::isfinite(conditions[i].to) ? conditions[i].to - conditions[i].from : step) / 2;
+    const double width = std::isfinite(conditions[i].to) ? conditions[i].to - conditions[i].from : step;
+    return conditions[i].from + (width - (whole_numbers ? 1 : 0)) / 2;
   };
   const auto over_ranges = [&](std::vector<DeviationStatistics> LaneStatistics::*lanes,
                                std::size_t distance) {

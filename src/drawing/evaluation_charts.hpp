@@ -25,8 +25,8 @@ Chart consistency_chart(const EvaluationResult& result);
 Chart coverage_chart(const EvaluationResult& result);
 
 /// RMSE at 60 and 120 m over the middle of each condition's ranges, of those ranges that hold enough cycles
-/// to say anything; `axis` names the condition.
+/// to say anything; `axis` names the condition, which may be a count of whole things.
 Chart condition_chart(const std::string& title, const std::string& axis,
-                      const std::vector<ConditionStatistics>& conditions);
+                      const std::vector<ConditionStatistics>& conditions, bool whole_numbers);
 
 }  // namespace lanefuse

@@ -82,11 +82,11 @@ std::string traffic_section(const EvaluationResult& result) {
          "lane and "
          "its neighbours. Others help where they bear witness of their lane, and hurt where they hide the "
          "paint.</p>\n<div class=\"charts\">\n" +
-         inline_svg(
-             draw_chart(condition_chart("Error by traffic", "vehicles ahead", result.by_vehicles_ahead))) +
-         inline_svg(
-             draw_chart(condition_chart("Error by the gap to the vehicle ahead",
-                                        "gap [m]; the last point: further, or none", result.by_gap_ahead))) +
+         inline_svg(draw_chart(
+             condition_chart("Error by traffic", "vehicles ahead", result.by_vehicles_ahead, true))) +
+         inline_svg(draw_chart(condition_chart("Error by the gap to the vehicle ahead",
+                                               "gap [m]; the last point: further, or none",
+                                               result.by_gap_ahead, false))) +
          "</div>\n" + condition_table("vehicles ahead", result.by_vehicles_ahead, true) +
          condition_table("gap ahead [m]", result.by_gap_ahead, false);
 }

@@ -42,7 +42,7 @@ void ExactTruthEvaluation::add(const LaneEstimate& estimate, const TrueFrame& fr
   ++counts_.cycles_with_truth;
   judge_lanes(estimate, roles);
   const TrueRoles truth = as_surveyed(roles);
-  const std::vector<RoleDeviation> deviations = compare(estimated_roles(estimate), truth);
+  const std::vector<RoleDeviation> deviations = compare(estimated_roles(estimate, truth), truth);
   for (const RoleDeviation& one : deviations) {
     deviations_.add(one);
     consistency_.add(one);
@@ -66,7 +66,7 @@ void ExactTruthEvaluation::judge_lanes(const LaneEstimate& estimate, const TrueR
   const FalseCounts counts = count_false(estimate, lanes_, view_.lines());
   counts_.false_boundaries += counts.boundaries;
   counts_.false_lanes += counts.lanes;
-  const EstimatedRoles estimated = estimated_roles(estimate);
+  const EstimatedRoles estimated = estimated_roles(estimate, truth);
   if (!estimated[kEgoLeft]) return;
   ++counts_.cycles_with_ego_lane;
   if (in_wrong_lane(estimated, truth, lanes_, view_.lines())) ++counts_.cycles_in_wrong_lane;
@@ -74,11 +74,12 @@ void ExactTruthEvaluation::judge_lanes(const LaneEstimate& estimate, const TrueR
 
 void ExactTruthEvaluation::judge_serial_camera(const LaneEstimate& serial_camera, const TrueRoles& truth) {
   if (!serial_camera_) serial_camera_.emplace();
-  for (const RoleDeviation& one : compare(estimated_roles(serial_camera), truth)) {
+  for (const RoleDeviation& one : compare(estimated_roles(serial_camera, truth), truth)) {
     serial_camera_->within_range.add(one);
   }
   const LaneEstimate far = extrapolated(serial_camera, distance_at(kDistanceCount - 1));
-  for (const RoleDeviation& one : compare(estimated_roles(far), truth)) serial_camera_->extrapolated.add(one);
+  for (const RoleDeviation& one : compare(estimated_roles(far, truth), truth))
+    serial_camera_->extrapolated.add(one);
 }
 
 void ExactTruthEvaluation::keep_trace(const std::vector<RoleDeviation>& deviations, const TrueFrame& frame) {

@@ -37,10 +37,30 @@ void add_lane_edge(const LineAhead& outer, const LineAhead& inner, RoleLine& rol
   role.add(std::move(piece));
 }
 
+double offset_of(const LaneEstimate& estimate, std::uint64_t boundary) {
+  return find_boundary(estimate, boundary)->clothoid.lateral_offset;
+}
+
+/// The lane that answers for the true ego lane, whose left boundary is at `true_left` beside the car.
+const Lane* answering_lane(const LaneEstimate& estimate, std::optional<double> true_left) {
+  const Lane* ego = ego_lane(estimate);
+  if (!ego || !true_left) return ego;
+  const Lane* answer = ego;
+  const double left = offset_of(estimate, ego->left_boundary);
+  const double right = offset_of(estimate, ego->right_boundary);
+  if (left < kOnTheLine && ego->left_lane && *true_left - left > left - right - 2 * kOnTheLine) {
+    answer = find_lane(estimate, *ego->left_lane);
+  }
+  if (-right < kOnTheLine && ego->right_lane && left - *true_left > left - right - 2 * kOnTheLine) {
+    answer = find_lane(estimate, *ego->right_lane);
+  }
+  return answer;
+}
+
 }  // namespace
 
-EstimatedRoles estimated_roles(const LaneEstimate& estimate) {
-  const Lane* ego = ego_lane(estimate);
+EstimatedRoles estimated_roles(const LaneEstimate& estimate, const TrueRoles& truth) {
+  const Lane* ego = answering_lane(estimate, truth[kEgoLeft].y(0));
   if (!ego) return {};
   const Lane* left = ego->left_lane ? find_lane(estimate, *ego->left_lane) : nullptr;
   const Lane* right = ego->right_lane ? find_lane(estimate, *ego->right_lane) : nullptr;

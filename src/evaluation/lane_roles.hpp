@@ -18,10 +18,6 @@ namespace lanefuse {
 enum LaneRole : std::size_t { kEgoLeft, kEgoRight, kAdjacentLeft, kAdjacentRight, kRoleCount };
 constexpr bool is_ego(std::size_t role) { return role <= kEgoRight; }
 
-/// Which boundaries the estimate itself takes for these; null where it has no such lane.
-using EstimatedRoles = std::array<const Boundary*, kRoleCount>;
-EstimatedRoles estimated_roles(const LaneEstimate& estimate);
-
 /// The true line of one role ahead: in pieces, because a neighbour lane may begin and end, and the line may
 /// pass from one boundary of the road to the next.
 class RoleLine {
@@ -41,6 +37,17 @@ class RoleLine {
 };
 
 using TrueRoles = std::array<RoleLine, kRoleCount>;
+
+/// Which boundaries the estimate itself takes for these; null where it has no such lane.
+using EstimatedRoles = std::array<const Boundary*, kRoleCount>;
+
+/// While the car crosses a line, centimetres decide which lane its origin is in: this near to the line [m]
+/// the estimate's lanes on both of its sides may answer for the ego lane.
+inline constexpr double kOnTheLine = 0.3;
+
+/// The estimate's own ego lane and neighbours; on the line (kOnTheLine), those of the lane that the car truly
+/// is in. Without a true ego lane beside the car, the estimate's word holds.
+EstimatedRoles estimated_roles(const LaneEstimate& estimate, const TrueRoles& truth);
 
 /// The lanes of a road, and which of them are what to the car.
 ///

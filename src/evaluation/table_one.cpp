@@ -8,12 +8,11 @@
 namespace lanefuse {
 namespace {
 
-double allowance(double distance) { return distance <= 80 ? 1.35 : 2; }
-
 AgainstPaper judge(double ratio, double distance) {
   if (!std::isfinite(ratio)) return AgainstPaper::not_judged;
-  if (ratio > allowance(distance)) return AgainstPaper::worse;
-  return ratio < 1 / allowance(distance) ? AgainstPaper::better : AgainstPaper::alike;
+  const bool near = distance <= 80;
+  if (ratio > (near ? 1.35 : 2.0)) return AgainstPaper::worse;
+  return ratio < (near ? 0.65 : 0.5) ? AgainstPaper::better : AgainstPaper::alike;
 }
 
 PaperComparison against(const DeviationStatistics& ours, const PaperFigures& paper, bool ego) {

@@ -29,10 +29,14 @@ class LanesReader::Session {
 
   bool next(LaneRecord& record) {
     record.debug = {};
+    features_.clear();
     Time debug_time{};
     while (topics_.next()) {
       // A cycle that lost its lanes leaves an inside view behind that belongs to nothing.
-      if (topics_.log_time() != debug_time) record.debug = {};
+      if (topics_.log_time() != debug_time) {
+        record.debug = {};
+        features_.clear();
+      }
       debug_time = topics_.log_time();
       try {
         if (take(record)) return true;
@@ -43,12 +47,18 @@ class LanesReader::Session {
     return false;
   }
 
+  void defer_features(bool defer) { defer_features_ = defer; }
+  void complete(LaneRecord& record) const {
+    if (!features_.empty()) decode_fused_features(features_, record.debug);
+  }
+
  private:
   /// True once the record is whole: /out/lanes is the last message of its cycle.
   bool take(LaneRecord& record) {
     const std::string& topic = topics_.channel().topic;
     const mcap::Bytes& bytes = topics_.message().data;
-    if (topic == topic::kFusedFeatures) decode_fused_features(bytes, record.debug);
+    if (topic == topic::kFusedFeatures && defer_features_) features_ = bytes;
+    if (topic == topic::kFusedFeatures && !defer_features_) decode_fused_features(bytes, record.debug);
     if (topic == topic::kSwitches) decode_switches(bytes, record.debug);
     if (topic == topic::kRoadCourse) decode_road_course(bytes, record.debug);
     if (topic != topic::kLanes) return false;
@@ -57,6 +67,8 @@ class LanesReader::Session {
   }
 
   TopicReader topics_;
+  bool defer_features_ = false;
+  mcap::Bytes features_;  // of this cycle, where they are deferred
 };
 
 LanesReader::LanesReader(const std::filesystem::path& path) : session_(std::make_unique<Session>(path)) {}
@@ -66,7 +78,15 @@ LanesReader& LanesReader::operator=(LanesReader&&) noexcept = default;
 
 const DriveInfo& LanesReader::drive() const { return session_->head().drive; }
 const RunInfo& LanesReader::run() const { return session_->head().run; }
-bool LanesReader::next(LaneRecord& record) { return session_->next(record); }
+bool LanesReader::next(LaneRecord& record) {
+  session_->defer_features(false);
+  return session_->next(record);
+}
+bool LanesReader::next_without_features(LaneRecord& record) {
+  session_->defer_features(true);
+  return session_->next(record);
+}
+void LanesReader::complete(LaneRecord& record) const { session_->complete(record); }
 ReadReport LanesReader::report() const { return session_->report(); }
 
 }  // namespace lanefuse

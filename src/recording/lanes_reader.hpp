@@ -35,6 +35,12 @@ class LanesReader {
   /// report().
   bool next(LaneRecord& record);
 
+  /// As next(), but leaves the fused features undecoded: they are most of a recording, and only pictures need
+  /// them. complete() decodes those of the cycle that came last.
+  bool next_without_features(LaneRecord& record);
+  /// Throws Error (input) where they cannot be understood.
+  void complete(LaneRecord& record) const;
+
   [[nodiscard]] ReadReport report() const;
 
  private:

@@ -84,7 +84,7 @@ std::string mark_text(const MarkingStyle& style, double offset) {
 /// Writes one road's sections.
 class LanesText {
  public:
-  LanesText(const RoadMap& map, const RoadLayout& layout, const std::string& place)
+  LanesText(const RoadMap& map, const GroupLayout& layout, const std::string& place)
       : map_(map), layout_(layout), place_(place) {
     const std::vector<double>& stations = layout.section_stations();
     for (std::size_t i = 1; i < stations.size(); ++i) add_section(stations[i - 1], stations[i]);
@@ -246,14 +246,14 @@ class LanesText {
   }
 
   const RoadMap& map_;
-  const RoadLayout& layout_;
+  const GroupLayout& layout_;
   const std::string& place_;
   std::vector<Section> sections_;
 };
 
 }  // namespace
 
-std::string opendrive_lanes_text(const RoadMap& map, const RoadLayout& layout, const std::string& place) {
+std::string opendrive_lanes_text(const RoadMap& map, const GroupLayout& layout, const std::string& place) {
   return LanesText(map, layout, place).text();
 }
 

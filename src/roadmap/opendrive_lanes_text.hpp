@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "roadmap/road_layout.hpp"
+#include "roadmap/group_layout.hpp"
 
 namespace lanefuse {
 
 /// The <lanes> element of a road: offset, sections, lanes with width, paint and links. Throws, naming
 /// `place`, where lanes overlap or follow one another at different places.
-std::string opendrive_lanes_text(const RoadMap& map, const RoadLayout& layout, const std::string& place);
+std::string opendrive_lanes_text(const RoadMap& map, const GroupLayout& layout, const std::string& place);
 
 }  // namespace lanefuse

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "roadmap/group_layout.hpp"
 #include "roadmap/map_text.hpp"
 #include "roadmap/opendrive.hpp"
 #include "roadmap/opendrive_frame.hpp"
 #include "roadmap/opendrive_lanes_text.hpp"
 #include "roadmap/opendrive_plan.hpp"
-#include "roadmap/road_layout.hpp"
 
 namespace lanefuse {
 namespace {
@@ -25,7 +25,7 @@ std::string header_text(const RoadMap& map) {
   return text + "  </header>\n";
 }
 
-std::string elevation_text(const RoadLayout& layout) {
+std::string elevation_text(const GroupLayout& layout) {
   const BoundaryOffsets& heights = layout.longest();
   std::vector<double> bends = heights.height_bends();
   bends.insert(bends.begin(), 0);
@@ -43,7 +43,7 @@ std::string elevation_text(const RoadLayout& layout) {
   return text + "    </elevationProfile>\n";
 }
 
-std::string road_text(const RoadMap& map, const RoadLayout& layout, std::size_t id,
+std::string road_text(const RoadMap& map, const GroupLayout& layout, std::size_t id,
                       const std::string& place) {
   return fmt::format("  <road name=\"\" length=\"{:.12g}\" id=\"{}\" junction=\"-1\" rule=\"RHT\">\n",
                      layout.plan().end(), id) +
@@ -60,7 +60,7 @@ std::string opendrive_text(const RoadMap& map, const ExactPlan* plan) {
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<OpenDRIVE>\n" + header_text(map);
   const std::vector<LaneGroup> groups = lane_groups(map);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const RoadLayout layout(map, groups[i], groups.size() == 1 ? plan : nullptr, place);
+    const GroupLayout layout(map, groups[i], groups.size() == 1 ? plan : nullptr, place);
     text += road_text(map, layout, i + 1, place);
   }
   return text + "</OpenDRIVE>\n";

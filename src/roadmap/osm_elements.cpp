@@ -11,22 +11,24 @@
 namespace lanefuse {
 namespace {
 
+using Tags = std::map<std::string, std::string>;
+
 struct Node {
   XmlElement element;
   GeoOrigin place;
-  std::map<std::string, std::string> tags;
-
-  [[nodiscard]] double tag(const char* key, double otherwise) const {
-    const auto found = tags.find(key);
-    if (found == tags.end()) return otherwise;
-    const std::optional<double> value = parse_finite(found->second);
-    if (!value || std::abs(*value) > 1e9) {
-      throw element.error(
-          fmt::format("tag '{}' is '{}', which is no length", key, found->second.substr(0, 40)));
-    }
-    return *value;
-  }
+  std::optional<Eigen::Vector2d> local;  ///< as tagged
+  bool is_origin = false;
 };
+
+std::optional<double> length_tag(const XmlElement& node, const Tags& tags, const char* key) {
+  const auto found = tags.find(key);
+  if (found == tags.end()) return std::nullopt;
+  const std::optional<double> value = parse_finite(found->second);
+  if (!value || std::abs(*value) > 1e9) {
+    throw node.error(fmt::format("tag '{}' is '{}', which is no length", key, found->second.substr(0, 40)));
+  }
+  return value;
+}
 
 double degrees(const XmlElement& node, const char* attribute, double limit) {
   const double value = node.number(attribute, 0);
@@ -35,15 +37,20 @@ double degrees(const XmlElement& node, const char* attribute, double limit) {
 }
 
 Node read_node(const XmlElement& element) {
-  Node node{element, {degrees(element, "lat", 90), degrees(element, "lon", 180), 0}, osm_tags(element)};
-  node.place.height = node.tag("ele", 0);
+  const Tags tags = osm_tags(element);
+  Node node{element, {degrees(element, "lat", 90), degrees(element, "lon", 180), 0}, {}, false};
+  node.place.height = length_tag(element, tags, "ele").value_or(0);
+  const auto x = length_tag(element, tags, "local_x");
+  const auto y = length_tag(element, tags, "local_y");
+  if (x && y) node.local = Eigen::Vector2d(*x, *y);
+  const auto marked = tags.find("local_origin");
+  node.is_origin = marked != tags.end() && marked->second == "yes";
   return node;
 }
 
 std::optional<GeoOrigin> origin_of(const std::vector<Node>& nodes) {
   for (const Node& node : nodes) {
-    const auto marked = node.tags.find("local_origin");
-    if (marked != node.tags.end() && marked->second == "yes") return node.place;
+    if (node.is_origin) return node.place;
   }
   for (const Node& node : nodes) {
     if (node.place.latitude_deg == 0 && node.place.longitude_deg == 0) continue;
@@ -53,10 +60,8 @@ std::optional<GeoOrigin> origin_of(const std::vector<Node>& nodes) {
 }
 
 Eigen::Vector3d local_point(const Node& node) {
-  if (node.tags.count("local_x") == 0 || node.tags.count("local_y") == 0) {
-    throw node.element.error("has neither a place on Earth nor the tags local_x and local_y");
-  }
-  return {node.tag("local_x", 0), node.tag("local_y", 0), node.place.height};
+  if (!node.local) throw node.element.error("has neither a place on Earth nor the tags local_x and local_y");
+  return {node.local->x(), node.local->y(), node.place.height};
 }
 
 }  // namespace

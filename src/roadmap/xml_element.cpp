@@ -14,7 +14,7 @@ namespace lanefuse {
 namespace {
 
 /// Elements and attributes take about 120 bytes each once parsed.
-constexpr std::int64_t kMostMarks = 2'000'000;
+constexpr std::int64_t kMostMarks = 3'000'000;
 constexpr double kLargestNumber = 1e12;  // beyond it nothing on a road lies
 
 void check_marks(const std::string& text, const std::string& file) {

@@ -13,7 +13,7 @@ struct BuiltInScenarioText {
   std::string_view text;
 };
 
-/// In alphabetical order.
+/// In the order of their files' names.
 std::span<const BuiltInScenarioText> built_in_scenario_texts();
 
 }  // namespace lanefuse

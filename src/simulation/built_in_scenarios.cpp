@@ -14,6 +14,7 @@ namespace lanefuse {
 std::vector<std::string> built_in_scenario_names() {
   std::vector<std::string> names;
   for (const BuiltInScenarioText& scenario : built_in_scenario_texts()) names.emplace_back(scenario.name);
+  std::sort(names.begin(), names.end());
   return names;
 }
 

@@ -35,7 +35,7 @@ LateMessages::Delays delays_of(const Disturbance& disturbance) {
     case Disturbance::Kind::shuffled:
       return {disturbance.share, 0, disturbance.delay};
     default:
-      return {1, disturbance.delay, disturbance.delay};
+      return {0, 0, 0, disturbance.delay};
   }
 }
 

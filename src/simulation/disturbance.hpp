@@ -15,7 +15,7 @@ namespace lanefuse {
 struct Disturbance {
   enum class Kind : std::uint8_t {
     gaps = 0,         ///< now and then a sensor says nothing
-    latency = 1,      ///< every message comes later
+    latency = 1,      ///< every message takes at least so long
     stale = 2,        ///< a share of the messages comes much later
     shuffled = 3,     ///< messages overtake each other
     blackout = 4,     ///< cameras see nothing on stretches of the road

@@ -13,9 +13,10 @@ class LateMessages final : public DisturbedSensor {
  public:
   /// `share` of the messages comes later by up to `at_most` [s] and no less than `at_least`.
   struct Delays {
-    double share = 1;
+    double share = 0;
     double at_least = 0;  ///< [s]
     double at_most = 0;   ///< [s]
+    double in_all = 0;    ///< [s] that every message takes at least, from measuring to receiving
   };
 
   LateMessages(std::unique_ptr<SensorModel> sensor, const Delays& delays, Random random)

@@ -5,7 +5,8 @@
 import program
 
 SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"],
-               ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"]]
+               ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"],
+               ["map", "info"], ["map", "convert"]]
 
 
 class Help(program.ProgramTest):

@@ -7,12 +7,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "drawing/evaluation_charts.hpp"
 #include "support/markup.hpp"
 
 namespace lanefuse {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(NiceStep, IsARoundNumberOfAFewParts) {
   EXPECT_DOUBLE_EQ(nice_step(1, 5), 0.2);
@@ -92,6 +94,33 @@ TEST(DrawCycleTimes, NamesThePercentilesAndPutsEveryCycleIntoABar) {
 TEST(DrawCycleTimes, SaysSoWhenThereAreNone) {
   EXPECT_NE(draw_cycle_times({}).elements.find("no data"), std::string::npos);
   EXPECT_FALSE(testing::prints_nan(draw_cycle_times({0.0, 0.0}).elements));
+}
+
+ConditionStatistics condition(double from, double to, std::uint64_t cycles) {
+  ConditionStatistics result{from, to, cycles, {}};
+  for (std::size_t i = 0; i < kDistanceCount; ++i) {
+    DeviationStatistics at;
+    at.distance_m = distance_at(i);
+    at.rmse_m = 0.1;
+    result.lanes.ego.push_back(at);
+    result.lanes.adjacent.push_back(at);
+  }
+  return result;
+}
+
+TEST(ConditionChart, ShowsRangesWithEnoughCyclesAtTheirMiddle) {
+  const std::vector<ConditionStatistics> counts{condition(0, 1, 500), condition(1, 3, 500),
+                                                condition(3, 5, 10), condition(5, kInfinity, 500)};
+  const auto points = condition_chart("t", "vehicles", counts, true).series.at(0).points;
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_DOUBLE_EQ(points[0].x(), 0);
+  EXPECT_DOUBLE_EQ(points[1].x(), 1.5);
+  EXPECT_DOUBLE_EQ(points[2].x(), 5.5);
+  const auto gaps =
+      condition_chart("t", "gap [m]", {condition(0, 20, 99), condition(20, kInfinity, 99)}, false);
+  EXPECT_DOUBLE_EQ(gaps.series.at(0).points.at(0).x(), 10);
+  EXPECT_DOUBLE_EQ(gaps.series.at(0).points.at(1).x(), 30);
+  EXPECT_TRUE(condition_chart("t", "a", {}, true).series.empty());
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ TEST(TableOne, IsMetWithin35PercentNearAndAFactor2Far) {
   EXPECT_EQ(count(times_the_papers(1.34), AgainstPaper::alike), 14U);
   EXPECT_EQ(count(times_the_papers(1.36), AgainstPaper::worse), 10U);  // all but 100 and 120 m
   EXPECT_EQ(count(times_the_papers(2.01), AgainstPaper::worse), 14U);
-  EXPECT_EQ(count(times_the_papers(0.73), AgainstPaper::better), 10U);
+  EXPECT_EQ(count(times_the_papers(0.66), AgainstPaper::alike), 14U);
+  EXPECT_EQ(count(times_the_papers(0.64), AgainstPaper::better), 10U);
   EXPECT_EQ(count(times_the_papers(0.49), AgainstPaper::better), 14U);
 }
 

@@ -64,6 +64,19 @@ TEST(ExactTruth, AConstantOffsetIsTheMeanOnAStraightRoad) {
   }
 }
 
+TEST(ExactTruth, OnTheLineTheLanesOfBothSidesMayAnswer) {
+  RoadScene scene;
+  scene.course = {kLaneWidth - 0.05, 0, 0, 0};  // the car has just crossed into this lane
+  LaneEstimate estimate = perfect_estimate(scene);
+  shift(estimate, 0.2);  // and is still in the old one, if one asks the estimate
+  const EvaluationResult near = evaluate(scene, estimate);
+  EXPECT_NEAR(near.lanes.ego[0].rmse_m, 0.2, 1e-9);
+  EXPECT_EQ(near.cycles_in_wrong_lane, 0U);
+  shift(estimate, 0.3);
+  const EvaluationResult far = evaluate(scene, estimate);
+  EXPECT_GT(far.lanes.ego[0].rmse_m, kLaneWidth - 0.6);
+}
+
 TEST(ExactTruth, MeasuresAcrossAnObliqueRoad) {
   RoadScene scene;
   scene.course = {kLaneWidth / 2, 0.2, 0, 0};
@@ -157,9 +170,9 @@ TEST(ExactTruth, TheWrongLaneIsALaneWidthOffAndCounted) {
   RoadScene scene;
   scene.course = {0.1, 0, 0, 0};
   LaneEstimate estimate = perfect_estimate(scene);
-  shift(estimate, -0.3);  // believes to have crossed the left boundary
+  shift(estimate, -0.5);  // believes to have crossed the left boundary, and to be well beyond it
   const EvaluationResult result = evaluate(scene, estimate);
-  EXPECT_NEAR(result.lanes.ego[0].mean_m, kLaneWidth - 0.3, 1e-9);
+  EXPECT_NEAR(result.lanes.ego[0].mean_m, kLaneWidth - 0.5, 1e-9);
   EXPECT_EQ(wrong_lane_rate(result), 1);
 }
 

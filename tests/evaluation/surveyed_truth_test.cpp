@@ -35,7 +35,7 @@ class Survey {
       for (const LaneRole role : {kEgoLeft, kEgoRight, kAdjacentLeft, kAdjacentRight}) {
         truth[role] = error.surveyed(exact[role], role);
       }
-      for (const RoleDeviation& one : compare(estimated_roles(estimate), truth)) deviations_.add(one);
+      for (const RoleDeviation& one : compare(estimated_roles(estimate, truth), truth)) deviations_.add(one);
     }
   }
   [[nodiscard]] LaneStatistics statistics() const { return deviations_.statistics(); }

@@ -66,6 +66,11 @@ inline auto fields(const TrackedObject& o) {
 }
 inline auto fields(const ObjectList& l) { return std::make_tuple(fields(l.stamp), all_fields(l.objects)); }
 
+inline auto fields(const GnssInsFix& f) {
+  return std::make_tuple(fields(f.stamp), f.latitude, f.longitude, f.height, f.heading,
+                         fields(f.position_covariance), f.heading_sigma, f.kind);
+}
+
 inline auto fields(const TrueBoundary& b) {
   return std::make_tuple(b.id, fields(b.marking), b.marking_width, all_fields(b.points));
 }

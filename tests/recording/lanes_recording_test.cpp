@@ -151,5 +151,23 @@ TEST(LanesRecording, StatusIsLoggedWhenItChanges) {
   EXPECT_EQ(count, 2) << "invalid at first, then ok";
 }
 
+TEST(LanesRecording, FeaturesMayWaitUntilTheyAreWanted) {
+  const testing::TemporaryFolder folder;
+  const auto path = write_lanes(folder / "lanes.mcap", 3);
+  LanesReader at_once(path), later(path);
+  LaneRecord whole, lean;
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    ASSERT_TRUE(at_once.next(whole));
+    ASSERT_TRUE(later.next_without_features(lean));
+    EXPECT_TRUE(lean.debug.features.empty());
+    EXPECT_EQ(lean.debug.switches.size(), 2U);
+    later.complete(lean);
+    ASSERT_EQ(lean.debug.features.size(), whole.debug.features.size());
+    EXPECT_EQ(lean.debug.features[0].feature.x, whole.debug.features[0].feature.x);
+    EXPECT_EQ(lean.estimate.time, whole.estimate.time);
+  }
+  EXPECT_FALSE(later.next_without_features(lean));
+}
+
 }  // namespace
 }  // namespace lanefuse

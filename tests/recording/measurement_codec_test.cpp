@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/measurement_codec.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -57,10 +58,27 @@ RC_GTEST_PROP(MeasurementCodec, ObjectsComeBackExactly, ()) {
   RC_ASSERT(fields(round_trip(list)) == fields(list));
 }
 
+RC_GTEST_PROP(MeasurementCodec, FixComesBackButForTheLastBitsOfItsDegrees, ()) {
+  GnssInsFix fix{.stamp = testing::random_stamp(),
+                 .latitude = *rc::gen::inRange(-1570, 1570) / 1000.0,
+                 .longitude = *rc::gen::inRange(-3141, 3141) / 1000.0,
+                 .height = number(),
+                 .heading = number(),
+                 .position_covariance = testing::symmetric<3>(),
+                 .heading_sigma = number(),
+                 .kind = testing::any_of<FixKind>(4)};
+  const GnssInsFix back = round_trip(fix);
+  RC_ASSERT(std::abs(back.latitude - fix.latitude) < 1e-15);
+  RC_ASSERT(std::abs(back.longitude - fix.longitude) < 1e-15);
+  fix.latitude = back.latitude;
+  fix.longitude = back.longitude;
+  RC_ASSERT(fields(back) == fields(fix));
+}
+
 RC_GTEST_PROP(MeasurementCodec, AnyBytesAreDecodedOrRefused, ()) {
-  const auto topic =
-      *rc::gen::element<const char*>(topic::kVehicleMotion, topic::kWheelSpeeds, topic::kSerialCamera,
-                                     topic::kHighResolutionCamera, topic::kRadar, topic::kObjects);
+  const auto topic = *rc::gen::element<const char*>(topic::kVehicleMotion, topic::kWheelSpeeds,
+                                                    topic::kSerialCamera, topic::kHighResolutionCamera,
+                                                    topic::kRadar, topic::kObjects, topic::kGnssIns);
   const auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
   try {
     decoder_of(topic)(std::as_bytes(std::span(bytes)), Stamp{});

@@ -144,8 +144,8 @@ TEST_F(CommonRoadText, DeepNestingIsRefused) {
 
 TEST_F(CommonRoadText, TooManyElementsAreRefusedBeforeTheyAreParsed) {
   std::string many = "<commonRoad>";
-  for (int i = 0; i < 2'000'001; ++i) many += "<a/>";
-  EXPECT_THAT([&] { read(many); }, ThrowsMessage<Error>(HasSubstr("more than 2000000 elements")));
+  for (int i = 0; i < 3'000'001; ++i) many += "<a/>";
+  EXPECT_THAT([&] { read(many); }, ThrowsMessage<Error>(HasSubstr("more than 3000000 elements")));
 }
 
 TEST_F(CommonRoadText, EntitiesAreNotExpanded) {

@@ -77,5 +77,14 @@ TEST(Preset, RefusesWhatItDoesNotKnowByName) {
 
 TEST(Preset, NamesAFileThatIsNotThere) { EXPECT_THROW(load_preset("no/such/preset.yaml"), Error); }
 
+TEST(Preset, HoldsTheErrorsOfThePapersOwnMap) {
+  const SurveyedTruthPreset truth = nominal_preset().surveyed_truth;
+  EXPECT_DOUBLE_EQ(truth.ego, 0.09);
+  EXPECT_DOUBLE_EQ(truth.adjacent, 0.19);
+  EXPECT_DOUBLE_EQ(truth.heading, 0.12 * std::numbers::pi / 180);
+  EXPECT_THAT(refusal(changed("adjacent_m: 0.19", "adjacent_m: wide")),
+              HasSubstr("truth.surveyed.adjacent_m"));
+}
+
 }  // namespace
 }  // namespace lanefuse

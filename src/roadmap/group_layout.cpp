@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
-#include "roadmap/road_layout.hpp"
+#include "roadmap/group_layout.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +95,8 @@ std::vector<LaneGroup> lane_groups(const RoadMap& map) {
   return listed;
 }
 
-RoadLayout::RoadLayout(const RoadMap& map, const LaneGroup& lanes, const ExactPlan* plan,
-                       const std::string& place)
+GroupLayout::GroupLayout(const RoadMap& map, const LaneGroup& lanes, const ExactPlan* plan,
+                         const std::string& place)
     : plan_(make_plan(map, lanes, plan, place)) {
   for (const MapBoundary* boundary : boundaries_of(map, lanes)) {
     offsets_.emplace(boundary->id, BoundaryOffsets(*boundary, plan_, place));
@@ -105,7 +105,7 @@ RoadLayout::RoadLayout(const RoadMap& map, const LaneGroup& lanes, const ExactPl
 }
 
 /// A lane runs as far as both of its boundaries do.
-void RoadLayout::find_spans(const LaneGroup& lanes, const std::string& place) {
+void GroupLayout::find_spans(const LaneGroup& lanes, const std::string& place) {
   std::vector<double> ends;
   for (const MapLane* lane : lanes) {
     const BoundaryOffsets& left = offsets(lane->left_boundary);
@@ -125,7 +125,7 @@ void RoadLayout::find_spans(const LaneGroup& lanes, const std::string& place) {
   }
 }
 
-std::vector<const MapLane*> RoadLayout::lanes_between(double from, double to) const {
+std::vector<const MapLane*> GroupLayout::lanes_between(double from, double to) const {
   const double middle = (from + to) / 2;
   std::vector<const MapLane*> present;
   for (const Span& span : spans_) {
@@ -139,7 +139,7 @@ std::vector<const MapLane*> RoadLayout::lanes_between(double from, double to) co
   return present;
 }
 
-const BoundaryOffsets& RoadLayout::longest() const {
+const BoundaryOffsets& GroupLayout::longest() const {
   const auto found = std::max_element(offsets_.begin(), offsets_.end(), [](const auto& a, const auto& b) {
     return a.second.end() - a.second.begin() < b.second.end() - b.second.begin();
   });

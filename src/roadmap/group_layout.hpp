@@ -18,7 +18,7 @@ using LaneGroup = std::vector<const MapLane*>;
 std::vector<LaneGroup> lane_groups(const RoadMap& map);
 
 /// A group of lanes laid along one reference line: what OpenDRIVE calls a road.
-class RoadLayout {
+class GroupLayout {
  public:
   /// A lane where it is present, by station.
   struct Span {
@@ -28,7 +28,7 @@ class RoadLayout {
   };
 
   /// Without `plan`, along a smooth line. Throws, naming `place`, where the lanes do not fit beside one line.
-  RoadLayout(const RoadMap& map, const LaneGroup& lanes, const ExactPlan* plan, const std::string& place);
+  GroupLayout(const RoadMap& map, const LaneGroup& lanes, const ExactPlan* plan, const std::string& place);
 
   [[nodiscard]] const PlanView& plan() const { return plan_; }
   [[nodiscard]] const BoundaryOffsets& offsets(std::uint64_t boundary) const { return offsets_.at(boundary); }
