@@ -74,7 +74,7 @@ struct Values {
   std::vector<double> b;
 };
 
-Values paired_values(const Figure& figure, const Side& a, const Side& b) {
+Values paired_values(const BenchmarkFigure& figure, const Side& a, const Side& b) {
   Values values;
   for (const auto& [key, line] : a) {
     const auto partner = b.find(key);
@@ -88,7 +88,7 @@ Values paired_values(const Figure& figure, const Side& a, const Side& b) {
   return values;
 }
 
-std::vector<double> all_values(const Figure& figure, const Side& side) {
+std::vector<double> all_values(const BenchmarkFigure& figure, const Side& side) {
   std::vector<double> values;
   for (const auto& [key, line] : side) {
     if (const auto value = value_of(figure, line->json)) values.push_back(*value);
@@ -100,7 +100,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-FigureChange change_of(const Figure& figure, const Values& values, bool paired) {
+FigureChange change_of(const BenchmarkFigure& figure, const Values& values, bool paired) {
   FigureChange change{
       &figure, mean(values.a),  mean(values.b), {}, std::min(values.a.size(), values.b.size()),
       {},      Verdict::unknown};
@@ -119,7 +119,8 @@ Verdict verdict_of(const FigureChange& change) {
   if (!change.chance) return Verdict::unknown;
   if (*change.chance >= kSignificance) return Verdict::noise;
   const bool is_lower = change.change.mean < 0;
-  return is_lower == (change.figure->better == Figure::Better::lower) ? Verdict::better : Verdict::worse;
+  return is_lower == (change.figure->better == BenchmarkFigure::Better::lower) ? Verdict::better
+                                                                               : Verdict::worse;
 }
 
 /// Corrects for the number of figures, and judges each.
@@ -167,7 +168,7 @@ Comparison compare(std::span<const ResultLine> a, std::span<const ResultLine> b)
                               "compare the same scene, road, length and truth, best with the same seeds");
   }
   const bool paired = result.pairs > 0;
-  for (const Figure& figure : figures()) {
+  for (const BenchmarkFigure& figure : figures()) {
     const Values values = paired ? paired_values(figure, in_a, in_b)
                                  : Values{all_values(figure, in_a), all_values(figure, in_b)};
     if (!values.a.empty() && !values.b.empty()) result.figures.push_back(change_of(figure, values, paired));

@@ -24,7 +24,7 @@ const char* to_string(Verdict verdict);
 
 /// How one figure changed from A to B.
 struct FigureChange {
-  const Figure* figure = nullptr;
+  const BenchmarkFigure* figure = nullptr;
   double in_a = 0;  ///< mean over the drives that were compared
   double in_b = 0;
   Difference change;             ///< B minus A

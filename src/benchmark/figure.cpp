@@ -17,18 +17,18 @@ using Json = nlohmann::ordered_json;
 constexpr int kDistanceStep = 20;  ///< [m] between the distances shown
 constexpr int kEntryStep = 10;     ///< [m] between the entries of a line's lists
 
-void add_rmse(std::vector<Figure>& all, const std::string& lane) {
+void add_rmse(std::vector<BenchmarkFigure>& all, const std::string& lane) {
   for (int distance = 0; distance <= 120; distance += kDistanceStep) {
     const std::string entry = fmt::format("/lanes/{}/{}", lane, distance / kEntryStep);
     all.push_back({fmt::format("{} RMSE at {} m", lane, distance), "m", entry + "/rmse_m", entry + "/n",
-                   Figure::Better::lower, Figure::Mean::root_square});
+                   BenchmarkFigure::Better::lower, BenchmarkFigure::Mean::root_square});
   }
 }
 
-std::vector<Figure> make_figures() {
-  using Better = Figure::Better;
-  using Mean = Figure::Mean;
-  std::vector<Figure> all;
+std::vector<BenchmarkFigure> make_figures() {
+  using Better = BenchmarkFigure::Better;
+  using Mean = BenchmarkFigure::Mean;
+  std::vector<BenchmarkFigure> all;
   add_rmse(all, "ego");
   add_rmse(all, "adjacent");
   all.insert(
@@ -49,17 +49,17 @@ std::optional<double> number_at(const Json& line, const std::string& pointer) {
   return line.at(where).get<double>();
 }
 
-std::optional<DriveSample> sample_of(const Figure& figure, const Json& line) {
+std::optional<DriveSample> sample_of(const BenchmarkFigure& figure, const Json& line) {
   const std::optional<double> value = value_of(figure, line);
   const std::optional<double> weight = figure.weight.empty() ? 1 : number_at(line, figure.weight);
   if (!value || !weight || !(*weight > 0)) return std::nullopt;
-  return DriveSample{figure.mean == Figure::Mean::root_square ? *value * *value : *value, *weight};
+  return DriveSample{figure.mean == BenchmarkFigure::Mean::root_square ? *value * *value : *value, *weight};
 }
 
 }  // namespace
 
-std::span<const Figure> figures() {
-  static const std::vector<Figure> all = make_figures();
+std::span<const BenchmarkFigure> figures() {
+  static const std::vector<BenchmarkFigure> all = make_figures();
   return all;
 }
 
@@ -68,11 +68,11 @@ std::size_t rmse_figure(bool adjacent, std::size_t shown_distance) {
   return (adjacent ? kShownDistances : 0) + shown_distance;
 }
 
-std::optional<double> value_of(const Figure& figure, const Json& line) {
+std::optional<double> value_of(const BenchmarkFigure& figure, const Json& line) {
   return number_at(line, figure.value);
 }
 
-std::optional<FigureMean> mean_of(const Figure& figure, std::span<const Json* const> lines) {
+std::optional<FigureMean> mean_of(const BenchmarkFigure& figure, std::span<const Json* const> lines) {
   std::vector<DriveSample> samples;
   for (const Json* line : lines) {
     if (const auto sample = sample_of(figure, *line)) samples.push_back(*sample);
@@ -80,7 +80,7 @@ std::optional<FigureMean> mean_of(const Figure& figure, std::span<const Json* co
   const auto mean = mean_of_drives(samples);
   if (!mean) return std::nullopt;
   const auto as_figure = [&figure](double value) {
-    return figure.mean == Figure::Mean::root_square ? std::sqrt(std::max(0.0, value)) : value;
+    return figure.mean == BenchmarkFigure::Mean::root_square ? std::sqrt(std::max(0.0, value)) : value;
   };
   FigureMean result{as_figure(mean->mean), {}, {}, mean->drives};
   if (mean->half_width) {

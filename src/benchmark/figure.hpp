@@ -14,7 +14,7 @@
 namespace lanefuse {
 
 /// One number that a drive is judged by, and how it is read, averaged and compared.
-struct Figure {
+struct BenchmarkFigure {
   enum class Better { lower, higher };
   enum class Mean {
     plain,       ///< over drives
@@ -33,7 +33,7 @@ inline constexpr std::size_t kShownDistances = 7;  ///< 0, 20 ... 120 m, as in t
 
 /// The figures in the order in which they are shown: RMSE of the ego lane by distance, of the adjacent ones,
 /// then those of OtherFigure.
-std::span<const Figure> figures();
+std::span<const BenchmarkFigure> figures();
 std::size_t rmse_figure(bool adjacent, std::size_t shown_distance);
 
 /// The places of the others in figures().
@@ -48,7 +48,7 @@ enum OtherFigure : std::size_t {
 };
 
 /// What a line says of a figure, as is; nothing where it is null or not there.
-std::optional<double> value_of(const Figure& figure, const nlohmann::ordered_json& line);
+std::optional<double> value_of(const BenchmarkFigure& figure, const nlohmann::ordered_json& line);
 
 /// A figure over drives, with its 95 % confidence interval (nothing from fewer than two drives).
 struct FigureMean {
@@ -59,6 +59,7 @@ struct FigureMean {
 };
 
 /// Nothing where no line has the figure.
-std::optional<FigureMean> mean_of(const Figure& figure, std::span<const nlohmann::ordered_json* const> lines);
+std::optional<FigureMean> mean_of(const BenchmarkFigure& figure,
+                                  std::span<const nlohmann::ordered_json* const> lines);
 
 }  // namespace lanefuse

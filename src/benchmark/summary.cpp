@@ -79,7 +79,7 @@ Summary summary_of(const std::string& name, const std::vector<const ResultLine*>
                   key.km,
                   lines.size(),
                   {}};
-  for (const Figure& figure : figures()) summary.means.push_back(mean_of(figure, jsons));
+  for (const BenchmarkFigure& figure : figures()) summary.means.push_back(mean_of(figure, jsons));
   return summary;
 }
 

@@ -17,7 +17,7 @@ namespace lanefuse {
 std::string to_text(const std::vector<Summary>& summaries, bool markdown);
 nlohmann::ordered_json to_json(const std::vector<Summary>& summaries);
 
-/// Figure by figure what changed, and whether it may be chance.
+/// BenchmarkFigure by figure what changed, and whether it may be chance.
 std::string to_text(const Comparison& comparison);
 nlohmann::ordered_json to_json(const Comparison& comparison);
 
