@@ -118,20 +118,26 @@ VertexId FeatureFusion::add_feature(const Feature& feature, const Attachment& at
   if (!known && window_.feature_count() >= config_.max_features) return SlidingWindow::kForgotten;
   const VertexId vertex = known ? *known : window_.add_feature(window_from_feature, at.set.measured_at);
   if (!known) association_.add_claimed(vertex, in_vehicle);
-  window_.add_measurement(
+  const bool is_first_look = window_.add_measurement(
       {at.keyframe, vertex, measurement, information},
       {EdgeKind::measurement, at.set.source, at.set.sensor_id, feature.track_id, feature.side});
+  if (is_first_look) raise_confidence(vertex, feature, at.set.source);
   remember(vertex, feature, at);
   return vertex;
 }
 
+void FeatureFusion::raise_confidence(VertexId id, const Feature& feature, Source source) {
+  WindowVertex& vertex = window_.vertex(id);
+  // c <- 1 - (1 - c)(1 - g c_m): every witness leaves less doubt. A second look from the same place is none:
+  // the slower a car, the surer it would be of whatever misled it.
+  vertex.confidence = 1 - (1 - vertex.confidence) * (1 - config_.confidence_gain * feature.confidence);
+  auto& hits = vertex.hits[static_cast<std::size_t>(source)];
+  if (hits < 0xffff) ++hits;
+}
+
 void FeatureFusion::remember(VertexId id, const Feature& feature, const Attachment& at) {
   WindowVertex& vertex = window_.vertex(id);
-  // c <- 1 - (1 - c)(1 - g c_m): every witness leaves less doubt.
-  vertex.confidence = 1 - (1 - vertex.confidence) * (1 - config_.confidence_gain * feature.confidence);
   vertex.time = std::max(vertex.time, at.set.measured_at);
-  auto& hits = vertex.hits[static_cast<std::size_t>(at.set.source)];
-  if (hits < 0xffff) ++hits;
   if (feature.track_id != kNoTrack) {
     vertex.track_id = feature.track_id;
     vertex.side = feature.side;

@@ -54,6 +54,7 @@ class FeatureFusion {
   void sample_within_reach(ClothoidMeasurement clothoid);
   /// The vertex that now holds the feature; kForgotten where it would be a new one and the window is full.
   VertexId add_feature(const Feature& feature, const Attachment& at);
+  void raise_confidence(VertexId id, const Feature& feature, Source source);
   void remember(VertexId id, const Feature& feature, const Attachment& at);
   void tie(const FeatureSet& set);
   void smooth(const Feature& feature, VertexId vertex);

@@ -52,7 +52,7 @@ void SlidingWindow::append(const Edge& edge, const EdgeOrigin& origin) {
   origins_.push_back(origin);
 }
 
-void SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
+bool SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
   // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it
   // came.
   for (std::size_t i = graph_.edges.size(); i-- > 0;) {
@@ -64,9 +64,10 @@ void SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) 
     if (!same) continue;
     graph_.edges[i] = edge;
     origins_[i] = origin;
-    return;
+    return false;
   }
   append(edge, origin);
+  return true;
 }
 
 void SlidingWindow::add_tie(const Edge& edge, const EdgeOrigin& origin) {

@@ -61,8 +61,9 @@ class SlidingWindow {
   VertexId add_feature(const Pose2& window_from_feature, Time measured_at);
 
   /// Ties a feature to a keyframe. A second measurement by the same sensor from the same keyframe replaces
-  /// the first: a standing car learns nothing new by looking again, and the window stays bounded.
-  void add_measurement(const Edge& edge, const EdgeOrigin& origin);
+  /// the first: a standing car learns nothing new by looking again, and the window stays bounded. Returns
+  /// whether it was the first.
+  bool add_measurement(const Edge& edge, const EdgeOrigin& origin);
 
   /// Adds a width or smoothing edge unless the two features are one, or are tied like this already.
   void add_tie(const Edge& edge, const EdgeOrigin& origin);

@@ -144,8 +144,18 @@ TEST(FeatureFusion, GrowsConfidentWithEveryWitness) {
   FusionDrive drive;
   drive.step({}, {drive.set(Source::user, {feature_at({10, 0, 0})})});
   EXPECT_NEAR(drive.fusion().fused()[0].confidence, 0.3 * 0.6, 1e-12);
-  drive.step({}, {drive.set(Source::user, {feature_at({10, 0, 0})})});
-  EXPECT_NEAR(drive.fusion().fused()[0].confidence, 1 - 0.82 * 0.82, 1e-12);
+  drive.step({}, {drive.set(Source::user, {feature_at({10, 0, 0})}, 7)});
+  EXPECT_NEAR(drive.fusion().fused()[0].confidence, 1 - 0.82 * 0.82, 1e-12) << "another sensor";
+  drive.step({3, 0, 0}, {drive.set(Source::user, {feature_at({7, 0, 0})})});
+  EXPECT_NEAR(drive.fusion().fused()[0].confidence, 1 - 0.82 * 0.82 * 0.82, 1e-12) << "another place";
+}
+
+TEST(FeatureFusion, GrowsNoMoreConfidentByLookingAgainFromTheSamePlace) {
+  FusionDrive drive;
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    drive.step({}, {drive.set(Source::user, {feature_at({10, 0, 0})})});
+    EXPECT_NEAR(drive.fusion().fused()[0].confidence, 0.3 * 0.6, 1e-12);
+  }
 }
 
 TEST(FeatureFusion, TellsHowWellAFeatureWasMeasured) {
