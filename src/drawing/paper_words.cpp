@@ -113,6 +113,8 @@ std::string doubts(const PaperComparison& one, const EvaluationResult& result) {
   if (result.surveyed) {
     text += without_survey(one, *result.surveyed);
     text += "A method that is better than the paper's or sensors that are kinder both would do this. ";
+  } else if (!result.map.empty()) {
+    text += "The truth is another map here, whose own errors are not known. ";
   } else {
     text += "Most of this is the truth, which has no error here and had one in the paper. ";
   }
