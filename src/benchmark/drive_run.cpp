@@ -3,6 +3,7 @@
 #include "benchmark/drive_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -34,9 +35,11 @@ std::optional<SurveyedTruthConfig> survey_of(const DriveKey& key) {
   return survey;
 }
 
+/// By nearest rank, as in the report.
 double percentile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+  return sorted[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
 /// Seconds spent, by what they were spent on.

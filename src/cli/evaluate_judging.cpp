@@ -95,6 +95,7 @@ Judged judge_by_drive(const EvaluateOptions& options, const LanesAndTruth& conte
 Judged judge_by_map(const EvaluateOptions& options, const LanesAndTruth& context) {
   Judged judged = judge_by_road(options, context, *context.truth->road);
   judged.result.truth = "map";
+  judged.result.map = options.map->filename().string();
   if (judged.result.cycles_with_truth == 0) {
     throw input_error(
         options.map->string(), "the car is in none of its lanes at any time",

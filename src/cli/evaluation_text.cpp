@@ -27,6 +27,7 @@ std::string beside_paper(const PaperComparison& one) {
 
 std::string heading(const EvaluationResult& result) {
   std::string truth = result.truth;
+  if (!result.map.empty()) truth += fmt::format(" {}", result.map);
   if (result.surveyed) truth += fmt::format(" (seed {})", result.surveyed->seed);
   return fmt::format("{}, truth: {}, witness: {}\n", result.drive.name, truth,
                      to_string(result.drive.witness));

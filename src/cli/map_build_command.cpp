@@ -64,8 +64,11 @@ int map_build(const MapBuildOptions& options) {
     if (comparison) json["deviation"] = to_json(*comparison);
     fmt::print("{}\n", json.dump());
   } else {
-    fmt::print("{} drives: {} boundaries, {} lanes -> {}\n", drives.size(), map.boundaries.size(),
-               map.lanes.size(), options.output.string());
+    const auto counted = [](std::size_t count, const char* what) {
+      return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    fmt::print("{}: {} boundaries, {} -> {}\n", counted(drives.size(), "drive"), map.boundaries.size(),
+               counted(map.lanes.size(), "lane"), options.output.string());
     if (comparison) fmt::print("{}", to_table(*comparison));
   }
   return 0;

@@ -119,10 +119,14 @@ void print_map(const RoadMap& map) {
   fmt::print("{}: {} lanes, {} boundaries\n", map.name.empty() ? "unnamed" : map.name, map.lanes.size(),
              map.boundaries.size());
   if (map.origin) {
-    fmt::print("origin {:.7f}, {:.7f}, height {:.1f} m\n", map.origin->latitude_deg,
+    fmt::print("origin {:.7f} deg, {:.7f} deg, height {:.1f} m\n", map.origin->latitude_deg,
                map.origin->longitude_deg, map.origin->height);
   } else {
     fmt::print("origin unknown\n");
+  }
+  if (!map.lanes.empty()) {
+    fmt::print("  {:>8}  {:<9}  {:>10}  {:>17}  {}\n", "lane", "kind", "length", "width",
+               "paint left | right, half-way");
   }
   for (const MapLane& lane : map.lanes) fmt::print("{}", lane_line(map, lane));
 }

@@ -24,8 +24,13 @@ nlohmann::ordered_json deviation_json(const LineDeviation& deviation) {
 }
 
 std::string row(const std::string& name, const LineDeviation& deviation, const std::string& covered) {
-  return fmt::format("{:<10} {:>8} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.4f}  {}\n", name, deviation.count,
-                     deviation.mean, deviation.rmse, deviation.p95, deviation.max, covered);
+  const auto metres = [&](double value) {
+    if (deviation.count == 0) return std::string("-");
+    return fmt::format("{:.4f}", std::abs(value) < 5e-5 ? 0 : value);  // no minus before a zero
+  };
+  return fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8}  {}\n", name, deviation.count,
+                     metres(deviation.mean), metres(deviation.rmse), metres(deviation.p95),
+                     metres(deviation.max), covered);
 }
 
 /// The means of stretches of road: a point every two metres would be a picture of a megabyte.
@@ -62,7 +67,7 @@ nlohmann::ordered_json to_json(const MapComparison& comparison) {
 
 std::string to_table(const MapComparison& comparison) {
   std::string table = fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8}  {}\n", "boundary", "points",
-                                  "mean m", "RMSE m", "p95 m", "max m", "covered");
+                                  "mean [m]", "RMSE [m]", "p95 [m]", "max [m]", "covered");
   for (const BoundaryComparison& boundary : comparison.boundaries) {
     table += row(std::to_string(boundary.id), boundary.deviation,
                  fmt::format("{:.0f} of {:.0f} m", boundary.covered, boundary.length));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -71,10 +72,12 @@ struct RunTotals {
   [[nodiscard]] double duration() const { return first ? to_seconds(last - *first) : 0; }
 };
 
+/// By nearest rank, as in the report.
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
 PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {

@@ -29,7 +29,8 @@ GeoOrigin survey_origin(const std::filesystem::path& drive) {
     if (fix && !implausible(measurement))
       return {fix->latitude / kDegree, fix->longitude / kDegree, fix->height};
   }
-  throw input_error(drive.string(), "holds no GNSS/INS fixes", "a survey needs drives with /in/gnss_ins");
+  throw input_error(drive.string(), "holds no GNSS/INS fixes",
+                    "this needs drives with /in/gnss_ins, as of simulate --gnss-ins");
 }
 
 SurveyedDrive read_surveyed(const std::filesystem::path& drive, const GeoOrigin& origin) {

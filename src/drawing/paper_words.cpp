@@ -33,7 +33,18 @@ std::vector<PaperComparison> those(const std::vector<PaperComparison>& all, Agai
 
 std::string list_of(const std::vector<PaperComparison>& all) {
   std::string text;
-  for (const PaperComparison& one : all) text += (text.empty() ? "" : ", ") + named(one);
+  for (const bool ego : {true, false}) {
+    bool first = true;
+    for (const PaperComparison& one : all) {
+      if (one.ego != ego) continue;
+      if (first) {
+        text += (text.empty() ? "" : "; ") + named(one);
+      } else {
+        text += fmt::format(", {:.0f} m ({} m, {:.2f})", one.distance_m, metres(one.ours.rmse_m), one.ratio);
+      }
+      first = false;
+    }
+  }
   return text;
 }
 
@@ -102,13 +113,16 @@ std::string doubts(const PaperComparison& one, const EvaluationResult& result) {
   if (result.surveyed) {
     text += without_survey(one, *result.surveyed);
     text += "A method that is better than the paper's or sensors that are kinder both would do this. ";
+  } else if (!result.map.empty()) {
+    text += "The truth is another map here, whose own errors are not known. ";
   } else {
     text += "Most of this is the truth, which has no error here and had one in the paper. ";
   }
   if (!result.serial_camera) return text;
   for (const auto& at : result.serial_camera->extrapolated) {
     if (at.distance_m != one.distance_m || at.n == 0) continue;
-    text += fmt::format("The serial camera alone, extrapolated, is off by {} m there. ", metres(at.rmse_m));
+    text += fmt::format("The serial camera alone, extrapolated, is off by {} m at {:.0f} m in the ego lane. ",
+                        metres(at.rmse_m), at.distance_m);
   }
   return text;
 }

@@ -50,10 +50,16 @@ std::string caption(const EvaluationResult& result) {
   std::string text =
       "The paper measured against a map of its own, surveyed with the same kind of car, on 24 km of its own "
       "roads. ";
-  text += result.surveyed
-              ? "Here the truth has that map's errors laid on it, so the two may be compared."
-              : "Here the truth has no error of its own, so ours should be the smaller: for a fair "
-                "comparison judge by surveyed truth.";
+  if (result.surveyed) {
+    text += "Here the truth has that map's errors laid on it, so the two may be compared.";
+  } else if (!result.map.empty()) {
+    text += "Here the truth is a map, too, whose own errors are in ours.";
+  } else {
+    text +=
+        "Here the truth has no error of its own, so ours should be the smaller: for a fair comparison judge "
+        "by "
+        "surveyed truth.";
+  }
   text += " The ratio is of the RMSE, ours by the paper's.";
   return "<p class=\"glossary\">" + text + "</p>\n";
 }

@@ -69,6 +69,7 @@ std::string report_header(const Report& report) {
   std::string html = "<h1>" + escape_xml(title_of(report)) + "</h1>\n<p class=\"drive\">Drive: " +
                      escape_xml(drive.name.empty() ? "unnamed" : drive.name);
   html += "; truth: " + escape_xml(report.evaluation.truth.empty() ? "none" : report.evaluation.truth);
+  if (!report.evaluation.map.empty()) html += fmt::format(" {}", escape_xml(report.evaluation.map));
   if (const auto& survey = report.evaluation.surveyed) {
     html +=
         fmt::format(" (exact, with errors of {:.2f} m ego, {:.2f} m adjacent, {:.2f}&#176;; seed {})",

@@ -72,6 +72,7 @@ struct SerialCameraStatistics {
 /// All that the evaluation of one drive says.
 struct EvaluationResult {
   std::string truth;  ///< "exact", "surveyed", "map" or "ego-path"
+  std::string map;    ///< file name of the map that is the truth; empty: it is none
   DriveInfo drive;    ///< filled by whoever knows the drive
   LaneStatistics lanes;
   std::uint64_t cycles = 0;

@@ -71,7 +71,7 @@ std::string geojson_text(const RoadMap& map) {
   check(map, place);
   if (!map.origin) {
     throw input_error(place, "does not say where on Earth it lies, as GeoJSON must",
-                      "give it with --origin LAT,LON");
+                      "lanefuse map convert --origin LAT,LON adds it");
   }
   const GeoFrame frame(*map.origin);
   Json features = Json::array();

@@ -11,8 +11,9 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kReach = 1.5;       ///< [m]: further off it is another line
-constexpr double kLongestStep = 10;  ///< [m] between compared points over which the line counts as covered
+constexpr double kReach = 1.5;         ///< [m]: further off it is another line
+constexpr double kLongestStep = 10;    ///< [m] between compared points over which the line counts as covered
+constexpr double kPartOfLongStep = 2;  ///< [m] at most, into which longer ones are divided
 
 LineDeviation deviation_of(const std::vector<Eigen::Vector2d>& points) {
   LineDeviation deviation;
@@ -32,11 +33,27 @@ LineDeviation deviation_of(const std::vector<Eigen::Vector2d>& points) {
   return deviation;
 }
 
-/// Where a line of the map lies beside a true boundary.
-std::vector<Eigen::Vector2d> beside(const MapBoundary& line, LineLocator& boundary) {
+/// A line's points, and between those that lie far apart, as on a straight road, more of them.
+std::vector<Eigen::Vector2d> compared_points(const MapBoundary& line) {
   std::vector<Eigen::Vector2d> points;
   for (const Eigen::Vector3d& point : line.points) {
-    const auto place = boundary.locate(point.head<2>(), kReach);
+    const Eigen::Vector2d to = point.head<2>();
+    if (!points.empty()) {
+      const Eigen::Vector2d from = points.back();
+      const double length = (to - from).norm();
+      const double parts = length > kLongestStep ? std::ceil(length / kPartOfLongStep) : 1;
+      for (double part = 1; part < parts; ++part) points.emplace_back(from + part / parts * (to - from));
+    }
+    points.push_back(to);
+  }
+  return points;
+}
+
+/// Where a line of the map lies beside a true boundary.
+std::vector<Eigen::Vector2d> beside(const std::vector<Eigen::Vector2d>& line, LineLocator& boundary) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector2d& point : line) {
+    const auto place = boundary.locate(point, kReach);
     if (place) points.emplace_back(place->along, place->lateral);
   }
   return points;
@@ -102,15 +119,16 @@ MapComparison compare(const RoadMap& map, const RoadMap& truth) {
     comparison.boundaries.push_back({boundary.id, locators.back().length(), 0, {}, {}});
   }
   for (const MapBoundary& line : map.boundaries) {
+    const std::vector<Eigen::Vector2d> points_of_line = compared_points(line);
     std::vector<Eigen::Vector2d> best;
     BoundaryComparison* owner = nullptr;
     for (std::size_t i = 0; i < locators.size(); ++i) {
-      auto points = beside(line, locators[i]);
+      auto points = beside(points_of_line, locators[i]);
       if (points.empty() || (owner && !fits_better(points, best))) continue;
       best = std::move(points);
       owner = &comparison.boundaries[i];
     }
-    comparison.strays += line.points.size() - best.size();
+    comparison.strays += points_of_line.size() - best.size();
     if (owner) owner->points.insert(owner->points.end(), best.begin(), best.end());
   }
   std::vector<Eigen::Vector2d> all;

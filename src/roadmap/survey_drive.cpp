@@ -74,7 +74,7 @@ SurveyedDrive SurveyRecorder::finish() {
   drive_.track = smoother_.smooth();
   if (drive_.track.empty()) {
     throw input_error(drive_.name, "holds no GNSS/INS fixes along with odometry",
-                      "a survey needs drives with /in/gnss_ins");
+                      "this needs drives with /in/gnss_ins, as of simulate --gnss-ins");
   }
   std::stable_sort(drive_.markings.begin(), drive_.markings.end(),
                    [](const SeenMarking& a, const SeenMarking& b) { return a.time < b.time; });
@@ -83,7 +83,7 @@ SurveyedDrive SurveyRecorder::finish() {
   });
   if (!seen) {
     throw input_error(drive_.name, "holds no marking of a serial camera where there are fixes",
-                      "a survey needs drives with /in/serial_camera");
+                      "this needs drives with /in/serial_camera");
   }
   return std::move(drive_);
 }

@@ -26,6 +26,23 @@ void check_marks(const std::string& text, const std::string& file) {
   }
 }
 
+const char* what_is_wrong(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "an element that is begun is not ended, or the other way round; the file may be cut off";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not NAME=\"VALUE\", or is cut off";
+    case tinyxml2::XML_ERROR_PARSING:
+      return "an element is not ended, or has stray characters; the file may be cut off";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "there is no element in it";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "its elements are nested too deep";
+    default:
+      return tinyxml2::XMLDocument::ErrorIDToName(error);
+  }
+}
+
 }  // namespace
 
 std::string trimmed(const std::string& text) {
@@ -139,7 +156,7 @@ XmlFile::XmlFile(const std::filesystem::path& path)
   check_marks(text, file_);
   if (document_->Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     throw input_error(fmt::format("{}, line {}", file_, document_->ErrorLineNum()),
-                      fmt::format("is no sound XML ({})", document_->ErrorName()));
+                      fmt::format("is no sound XML: {}", what_is_wrong(document_->ErrorID())));
   }
   if (!document_->RootElement()) throw input_error(fmt::format("{}, line 1", file_), "holds no XML element");
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/scenario_section.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +20,9 @@ std::optional<double> as_number(const YAML::Node& node) {
   return value;
 }
 
-int line_of(const YAML::Node& node) { return node.Mark().line + 1; }
+int line_of(const YAML::Node& node) {
+  return std::max(node.Mark().line, 0) + 1;
+}  // nothing in the file: no mark
 
 std::string key_of(const YAML::Node& key) { return key.IsScalar() ? key.Scalar() : "(not a name)"; }
 
@@ -108,6 +111,7 @@ std::optional<double> ScenarioSection::number(const std::string& key, Range allo
 std::optional<double> ScenarioSection::number_or_never(const std::string& key, Range allowed) {
   const std::optional<YAML::Node> child = take(key);
   if (child && child->IsScalar() && child->Scalar() == "never") return INFINITY;
+  if (child && !as_number(*child)) refuse(key, "is neither a number nor never");
   return number(key, allowed);
 }
 

@@ -69,7 +69,8 @@ TEST(WordsOnTableOne, DoubtWhatIsTooGood) {
   EXPECT_TRUE(
       contains(words[0], "At 120 m the truth's own error is 0.20 m of it; without that 0.22 m are left"));
   EXPECT_TRUE(contains(words[0], "sensors that are kinder"));
-  EXPECT_TRUE(contains(words[0], "The serial camera alone, extrapolated, is off by 0.64 m there."));
+  EXPECT_TRUE(contains(words[0],
+                       "The serial camera alone, extrapolated, is off by 0.64 m at 120 m in the ego lane."));
 }
 
 TEST(WordsOnTableOne, SayThatNothingWasJudged) {

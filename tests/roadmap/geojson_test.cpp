@@ -59,7 +59,7 @@ TEST(GeoJson, IsReadAsItWasWritten) {
 TEST(GeoJson, NeedsAnOrigin) {
   RoadMap map = one_lane();
   map.origin.reset();
-  EXPECT_THAT([&] { geojson_text(map); }, ThrowsMessage<Error>(HasSubstr("give it with --origin LAT,LON")));
+  EXPECT_THAT([&] { geojson_text(map); }, ThrowsMessage<Error>(HasSubstr("--origin LAT,LON adds it")));
 }
 
 void expect_refused(const std::string& from, const std::string& to, const std::string& what) {
