@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,6 +15,10 @@ namespace lanefuse {
 namespace {
 
 constexpr double kLongestVehicle = 100;  // [m]
+
+// Beyond these no recording goes; what is made of a vehicle's motion grows with their squares.
+constexpr double kLongestStay = 1000;   // [s]
+constexpr double kLongestWay = 20'000;  // [m]
 
 RecordedKind kind_of(const std::string& type) {
   if (type == "car" || type == "taxi" || type == "priorityVehicle") return RecordedKind::car;
@@ -55,16 +60,26 @@ RecordedState read_state(const XmlElement& element, double time_step) {
           point.child("y").content_number(), wrap_angle(heading), velocity ? value_of(*velocity) : 0};
 }
 
+double step_between(const RecordedState& from, const RecordedState& to) {
+  return std::hypot(to.x - from.x, to.y - from.y);
+}
+
 RecordedVehicle read_vehicle(const XmlElement& element, double time_step) {
   RecordedVehicle vehicle;
   vehicle.id = element.integer("id");
   vehicle.kind = kind_of(element.child("type").content());
   read_shape(element.child("shape"), vehicle);
   vehicle.states.push_back(read_state(element.child("initialState"), time_step));
+  double way = 0;
   for (const XmlElement& state : element.child("trajectory").children("state")) {
     vehicle.states.push_back(read_state(state, time_step));
     if (vehicle.states.back().time_s <= (vehicle.states.end() - 2)->time_s) {
       throw state.error("is no later than the state before it");
+    }
+    way += step_between(*(vehicle.states.end() - 2), vehicle.states.back());
+    if (vehicle.states.back().time_s - vehicle.states.front().time_s > kLongestStay || way > kLongestWay) {
+      throw state.error(
+          fmt::format("is more than {} s or {} m from the vehicle's first", kLongestStay, kLongestWay));
     }
   }
   return vehicle;

@@ -34,6 +34,9 @@ struct LaneStrip {
   [[nodiscard]] StripEdge& edge(StripSide side) { return edges[static_cast<std::size_t>(side)]; }
 };
 
+/// How many points a file's lanes may have altogether.
+inline constexpr std::size_t kMostLanePoints = 2'000'000;
+
 /// The strips as a map: neighbours share one boundary, and boundaries and lanes run on from strip to strip
 /// for as long as nothing forks. Where the extents of a lane's two boundaries would not tell where the lane
 /// ends, a boundary ends there, too. A lane has the id of its first strip; boundaries count from 1, from left

@@ -137,19 +137,29 @@ class LaneletReader {
     lanelets_.push_back(std::move(lanelet));
   }
 
-  Bound read_bound(const XmlElement& relation, const std::string& role, StripEdge& edge) const {
+  Bound read_bound(const XmlElement& relation, const std::string& role, StripEdge& edge) {
     std::optional<Bound> bound;
     for (const XmlElement& member : relation.children("member")) {
       if (member.find_text("role") != role) continue;
       if (bound) throw member.error(fmt::format("is a second {} bound", role), "join the ways to one");
       const std::int64_t id = member.integer("ref");
       const OsmElements::Way& way = osm_.way(id, member);
+      take_points(way, member);
       edge = {without_repeats(way.points), {style_of(way.element)}};
       if (edge.points.size() < 2) throw way.element.error("has fewer than two different points");
       bound = Bound{id, false, way.nodes.front(), way.nodes.back()};
     }
     if (!bound) throw relation.error(fmt::format("has no member with the role '{}'", role));
     return *bound;
+  }
+
+  /// Any number of lanelets may share a way, and each has its points for itself.
+  void take_points(const OsmElements::Way& way, const XmlElement& member) {
+    if (way.points.size() > points_left_) {
+      throw member.error(fmt::format("brings the lanes to more than {} points", kMostLanePoints),
+                         "cut the map into smaller ones");
+    }
+    points_left_ -= way.points.size();
   }
 
   /// The one's right bound is the other's left, driven the same way.
@@ -182,6 +192,7 @@ class LaneletReader {
 
   OsmElements osm_;
   std::vector<Lanelet> lanelets_;
+  std::size_t points_left_ = kMostLanePoints;
 };
 
 }  // namespace

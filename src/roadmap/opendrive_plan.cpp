@@ -29,7 +29,8 @@ std::vector<Eigen::Vector2d> evenly(const MapBoundary& boundary) {
   for (int i = 0; i <= pieces; ++i) {
     const double station = stations.back() * i / pieces;
     while (at + 1 < stations.size() && stations[at] < station) ++at;
-    const double share = (station - stations[at - 1]) / (stations[at] - stations[at - 1]);
+    const double gap = stations[at] - stations[at - 1];
+    const double share = gap > 0 ? (station - stations[at - 1]) / gap : 0;  // points may repeat
     knots.push_back(
         (boundary.points[at - 1] + share * (boundary.points[at] - boundary.points[at - 1])).head<2>());
   }

@@ -20,9 +20,6 @@ struct OpenDriveStrip {
   std::int64_t lane = 0;
 };
 
-/// How many points a file's lanes may have altogether.
-inline constexpr std::size_t kMostLanePoints = 2'000'000;
-
 /// The strips of one section's lanes, from left to right: sampled so that chords are within 5 mm of the curve
 /// and points at most 2 m apart. Lanes that have no width anywhere, and what is no lane, are left out. Takes
 /// the points it makes from `points_left`, and throws where they do not suffice.

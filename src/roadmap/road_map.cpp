@@ -3,6 +3,7 @@
 #include "roadmap/road_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -18,6 +19,10 @@ const Item* find_by_id(const std::vector<Item>& items, std::uint64_t id) {
       std::find_if(items.begin(), items.end(), [id](const Item& item) { return item.id == id; });
   return found == items.end() ? nullptr : &*found;
 }
+
+/// A thousand kilometres of a road with six lanes are a third of it. Beyond it two points would be enough to
+/// fill the memory of whoever goes along a boundary step by step.
+constexpr double kLongestInAll = 2e7;  // [m]
 
 double length_of(const std::vector<Eigen::Vector3d>& points) {
   double length = 0;
@@ -51,6 +56,16 @@ void check_boundary(const MapBoundary& boundary, const std::string& place) {
   const bool in_order = std::is_sorted(boundary.styles.begin(), boundary.styles.end(),
                                        [](const auto& a, const auto& b) { return a.from < b.from; });
   if (!in_order) throw input_error(here, "has marking styles out of order");
+}
+
+/// Of its way in the plane.
+double checked_length(const MapBoundary& boundary, const std::string& place) {
+  double length = 0;
+  for (std::size_t i = 1; i < boundary.points.size(); ++i) {
+    length += (boundary.points[i] - boundary.points[i - 1]).head<2>().norm();
+  }
+  if (length > 0) return length;
+  throw input_error(fmt::format("{}, boundary {}", place, boundary.id), "has no length");
 }
 
 using Ids = std::set<std::uint64_t>;
@@ -117,7 +132,16 @@ const MapLane* find_lane(const RoadMap& map, std::uint64_t id) { return find_by_
 void check(const RoadMap& map, const std::string& place) {
   const Ids boundaries = checked_ids(map.boundaries, "boundary", place);
   const Ids lanes = checked_ids(map.lanes, "lane", place);
-  for (const MapBoundary& boundary : map.boundaries) check_boundary(boundary, place);
+  double length = 0;
+  for (const MapBoundary& boundary : map.boundaries) {
+    check_boundary(boundary, place);
+    length += checked_length(boundary, place);
+    if (length <= kLongestInAll) continue;
+    throw input_error(
+        fmt::format("{}, boundary {}", place, boundary.id),
+        fmt::format("brings the boundaries to more than {} km in all", std::lround(kLongestInAll / 1000)),
+        "cut the map into smaller ones");
+  }
   for (const MapLane& lane : map.lanes) check_lane(lane, boundaries, lanes, place);
 }
 

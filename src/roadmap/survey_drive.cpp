@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 
 namespace lanefuse {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLeastConfidence = 0.3;
+constexpr double kLongestHole = 3600;   ///< [s] between two fixes
 constexpr double kLargestSigma = 0.15;  ///< [m] of an offset: beyond it the camera has not settled
 
 void append(const std::optional<ClothoidMeasurement>& seen, Side side, const SerialLane& lane,
@@ -71,6 +74,12 @@ void SurveyRecorder::add(const Measurement& measurement) {
 }
 
 SurveyedDrive SurveyRecorder::finish() {
+  // Nodes are laid through holes: a clock that was set during the drive must not lay them for years.
+  const double hole = to_seconds(smoother_.longest_hole());
+  if (hole > kLongestHole) {
+    throw input_error(drive_.name, fmt::format("has no GNSS/INS fix for {:.0f} s", hole),
+                      "cut the drive in two there");
+  }
   drive_.track = smoother_.smooth();
   if (drive_.track.empty()) {
     throw input_error(drive_.name, "holds no GNSS/INS fixes along with odometry",

@@ -146,6 +146,14 @@ Pose2 TrackSmoother::odometry_at(Time time) const {
                      fraction_between(reckoned_[i].time, reckoned_[i + 1].time, time));
 }
 
+Duration TrackSmoother::longest_hole() const {
+  Duration longest{};
+  for (std::size_t i = 1; i < fixes_.size(); ++i) {
+    longest = std::max(longest, fixes_[i].time - fixes_[i - 1].time);
+  }
+  return longest;
+}
+
 std::vector<TrackSmoother::Instant> TrackSmoother::instants() const {
   std::vector<Instant> instants;
   for (const Fix& fix : fixes_) {

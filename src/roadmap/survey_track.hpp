@@ -44,6 +44,8 @@ class TrackSmoother {
   void add(const Fix& fix);
 
   [[nodiscard]] std::size_t fix_count() const { return fixes_.size(); }
+  /// The longest time from one fix to the next.
+  [[nodiscard]] Duration longest_hole() const;
 
   /// Nodes at the fixes, and every tenth of a second between them; empty where there are fewer than two fixes
   /// while the odometry speaks.

@@ -19,9 +19,10 @@ double off_line(const SeenMarking& marking, double x, const Pose2& map_from_vehi
   const auto place = axis.locate(map_from_vehicle * Eigen::Vector2d(x, marking.line.y(x)), hint);
   if (!place) return kUnknown;
   const double at = place->station / axis.step();
+  if (at < 0) return kUnknown;
   const auto station = static_cast<std::size_t>(at);
   for (const SurveyLine& line : lines) {
-    if (at < 0 || station + 1 >= line.lateral.size()) continue;
+    if (station + 1 >= line.lateral.size()) continue;
     const double share = at - static_cast<double>(station);
     const double lateral = (1 - share) * line.lateral[station] + share * line.lateral[station + 1];
     if (std::abs(place->lateral - lateral) < kSameLine) return place->lateral - lateral;

@@ -3,8 +3,8 @@
 #include "simulation/reference_fit.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Dense>
 
@@ -16,6 +16,7 @@ namespace {
 constexpr double kStep = 5;                 ///< [m] of one road element
 constexpr double kPreview = 60;             ///< [m] ahead that each element looks
 constexpr int kSmoothing = 10;              ///< points to either side, a metre apart, that are averaged
+constexpr std::size_t kLastPoints = 120;    ///< a metre apart, among which the end may be reached
 constexpr double kLargestCurvature = 0.02;  ///< [1/m]
 
 /// Each point in the middle of its neighbours; towards the ends of as many as there are on both sides.
@@ -41,9 +42,11 @@ class Follower {
     curvature_ = std::clamp(coefficients(2)[0], -kLargestCurvature, kLargestCurvature);
   }
 
-  ReferenceLine drive() {
+  /// Nothing where the points turn so sharply that it loses them.
+  std::optional<ReferenceLine> drive() {
     std::vector<RoadElement> elements;
-    while (elements.empty() || (pose_.inverse() * points_.back()).x() > kStep / 2) {
+    while (elements.empty() || !is_at_end()) {
+      if (elements.size() >= points_.size()) return std::nullopt;
       const Eigen::Vector2d ahead = coefficients(3);
       const double wanted = curvature_ + kStep * (ahead[0] + kStep / 2 * ahead[1]);
       const double next = std::clamp(wanted, -kLargestCurvature, kLargestCurvature);
@@ -51,7 +54,6 @@ class Follower {
       const ReferenceLine step({elements.back()}, pose_);
       pose_ = step.pose(kStep);
       curvature_ = next;
-      assert(elements.size() < points_.size());
     }
     return ReferenceLine(elements, start_);
   }
@@ -62,6 +64,11 @@ class Follower {
   Pose2 pose_;
   double curvature_ = 0;
   std::size_t nearest_ = 0;
+
+  /// A road that turns back has its end behind it long before it is there.
+  [[nodiscard]] bool is_at_end() const {
+    return nearest_ + kLastPoints >= points_.size() && (pose_.inverse() * points_.back()).x() <= kStep / 2;
+  }
 
   /// Of the terms u^n/n! and u^(n+1)/(n+1)! of the way ahead that the pose and, above the second power, the
   /// curvature do not yet explain; by least squares.
@@ -88,7 +95,7 @@ class Follower {
 
 }  // namespace
 
-ReferenceLine fit_reference_line(const std::vector<Eigen::Vector2d>& points) {
+std::optional<ReferenceLine> fit_reference_line(const std::vector<Eigen::Vector2d>& points) {
   return Follower(smoothed(evenly_spaced(points, 1))).drive();
 }
 

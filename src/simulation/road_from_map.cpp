@@ -38,7 +38,11 @@ ReferenceLine reference_of(const RoadMap& map, const std::string& place) {
     throw input_error(place, fmt::format("has no driving lanes in a row of {} m; the longest is {:.0f} m",
                                          kShortestRoad, length));
   }
-  return fit_reference_line(chain);
+  std::optional<ReferenceLine> line = fit_reference_line(chain);
+  if (line) return std::move(*line);
+  throw input_error(place,
+                    "has a longest row of driving lanes that turns too sharply to be driven as one road",
+                    "cut the map down to a road whose bends are wider than 50 m");
 }
 
 /// A line of the road, not yet in its place among the others.

@@ -102,8 +102,8 @@ Disturbance read_disturbance(ScenarioSection section) {
     disturbance.sensors.push_back(kSensorKinds[i]);
   switch (disturbance.kind) {
     case Disturbance::Kind::gaps:
-      disturbance.first = section.number("first_s", {0, 1e5}).value_or(disturbance.every);
       disturbance.every = section.number("every_s", {0.1, 1e5}).value_or(disturbance.every);
+      disturbance.first = section.number("first_s", {0, 1e5}).value_or(disturbance.every);
       disturbance.length = section.number("length_s", {0, 1e5}).value_or(disturbance.length);
       break;
     case Disturbance::Kind::blackout:

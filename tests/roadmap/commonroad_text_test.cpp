@@ -127,6 +127,10 @@ TEST_F(CommonRoadText, RefusalsNameLineAndElement) {
                  "'drivingDir'");
   expect_refused("<length>12", "<length>-12", "42, <dynamicObstacle id=31>/<shape>/<rectangle>/<length>",
                  "-12 m");
+  expect_refused("<exact>1</exact>", "<exact>1e9</exact>", "46, <dynamicObstacle id=31>/<trajectory>/<state>",
+                 "more than 1000 s or 20000 m");
+  expect_refused("<point><x>3</x>", "<point><x>3e9</x>", "46, <dynamicObstacle id=31>/<trajectory>/<state>",
+                 "more than 1000 s or 20000 m");
   expect_refused("<exact>1</exact>", "<exact>0</exact>", "46, <dynamicObstacle id=31>/<trajectory>/<state>",
                  "no later");
   expect_refused("2020a", "2016a", "2, <commonRoad>", "2018b and 2020a are read");

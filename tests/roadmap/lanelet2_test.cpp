@@ -94,6 +94,22 @@ TEST(Lanelet2, BoundsOnTheWrongSidesTurnTheLane) {
   EXPECT_EQ(find_boundary(map, turned->left_boundary)->points.front().x(), 80);
 }
 
+TEST(Lanelet2, WayThatManyLaneletsShareCannotFillTheMemory) {
+  std::string long_way = "<way id=\"11\">";
+  for (int i = 0; i < 20'000; ++i) long_way += "<nd ref=\"1\"/><nd ref=\"2\"/>";
+  std::string lanelets;
+  for (int i = 0; i < 60; ++i) {
+    lanelets += fmt::format(
+        "<relation id=\"{}\"><member type=\"way\" ref=\"11\" role=\"left\"/>"
+        "<member type=\"way\" ref=\"12\" role=\"right\"/><tag k=\"type\" v=\"lanelet\"/></relation>\n",
+        100 + i);
+  }
+  const std::string text =
+      replaced(replaced(kLanelets, "<way id=\"11\">", long_way), "</osm>", lanelets + "</osm>");
+  EXPECT_THAT([&] { read(text); }, ThrowsMessage<Error>(AllOf(HasSubstr("<relation id=148>/<member>"),
+                                                              HasSubstr("more than 2000000 points"))));
+}
+
 TEST(Lanelet2, LatAndLonAreUsedWhereTheyAreKnown) {
   std::string text = kLanelets;
   for (int i = 0; i < 8; ++i) {

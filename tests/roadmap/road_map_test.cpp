@@ -49,6 +49,12 @@ TEST(RoadMap, WhatIsWrongIsNamed) {
   map = motorway();
   map.lanes[0].successors = {7};
   expect_refused(map, "lane 1: refers to lane 7");
+  map = motorway();
+  map.boundaries[2].points[1] = map.boundaries[2].points[0];
+  expect_refused(map, "boundary 3: has no length");
+  map = motorway();
+  map.boundaries[2].points[1].x() = 1e9;
+  expect_refused(map, "boundary 3: brings the boundaries to more than 20000 km");
 }
 
 TEST(RoadMap, StyleHoldsFromItsPlaceOn) {

@@ -51,6 +51,13 @@ RC_GTEST_PROP(RoundTrip, OpenDriveAlongASmoothLine, ()) {
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
+TEST(RoundTrip, OpenDriveOfALineThatBeginsWithARepeatedPoint) {
+  RoadMap map{
+      "test", {}, {{1, {{0, 2, 0}, {0, 2, 0}, {99, 2, 0}}, {{}}}, {2, {{0, -2, 0}, {99, -2, 0}}, {{}}}}, {}};
+  map.lanes = {{1, LaneKind::driving, 1, 2, {}, {}, {}}};
+  EXPECT_THAT(opendrive_text(map), ::testing::Not(HasSubstr("nan")));
+}
+
 RC_GTEST_PROP(RoundTrip, OpenDriveAlongTheExactLine, ()) {
   const RandomMotorway road = any_motorway();
   const std::string text = opendrive_text(road.map, &road.plan);

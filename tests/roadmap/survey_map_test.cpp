@@ -93,6 +93,21 @@ TEST(SurveyMap, DriveWithoutMarkingsIsRefused) {
               ThrowsMessage<Error>(HasSubstr("drive.mcap: holds no marking")));
 }
 
+TEST(SurveyMap, DriveInWhichTheClockWasSetIsRefused) {
+  std::vector<Measurement> measurements = SurveyDriver{}.drive();
+  for (Measurement& measurement : measurements) {
+    std::visit(
+        [](auto& m) {
+          if (m.stamp.measured_at <= from_nanoseconds(8'000'000'000)) return;
+          m.stamp.measured_at += from_seconds(1.7e9);
+          m.stamp.received_at += from_seconds(1.7e9);
+        },
+        measurement);
+  }
+  EXPECT_THAT([&] { surveyed(measurements); },
+              ThrowsMessage<Error>(HasSubstr("drive.mcap: has no GNSS/INS fix for 17000000")));
+}
+
 TEST(SurveyMap, HoleInTheFixesIsBridgedByOdometry) {
   std::vector<Measurement> measurements = SurveyDriver{}.drive();
   std::erase_if(measurements, [](const auto& m) {

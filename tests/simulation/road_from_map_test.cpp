@@ -72,6 +72,28 @@ TEST(RoadFromMap, IsSmoothToDriveOn) {
   }
 }
 
+/// One lane that goes 400 m, turns back to the left, and comes back as far.
+RoadMap turning_back(double radius) {
+  RoadMap map;
+  for (const double left : {1.75, -1.75}) {
+    MapBoundary boundary{map.boundaries.size() + 1, {}, {{}}};
+    const double r = radius - left;
+    for (double x = 0; x < 400; x += 2) boundary.points.emplace_back(x, left, 0);
+    for (double a = 0; a < M_PI; a += 2 / r)
+      boundary.points.emplace_back(400 + r * std::sin(a), radius - r * std::cos(a), 0);
+    for (double x = 400; x >= 0; x -= 2) boundary.points.emplace_back(x, 2 * radius - left, 0);
+    map.boundaries.push_back(boundary);
+  }
+  map.lanes = {{1, LaneKind::driving, 1, 2, {}, {}, {}}};
+  return map;
+}
+
+TEST(RoadFromMap, MayTurnBack) {
+  const Road road = road_from_map(turning_back(200), nominal_preset().road, 1, "bend");
+  EXPECT_NEAR(road.length(), 800 + M_PI * 200, 30);
+  EXPECT_GT(road.lane_end(0) - road.lane_begin(0), 1300);
+}
+
 TEST(RoadFromMap, RefusesMapsWithoutARoad) {
   EXPECT_THROW(road_from_map(RoadMap{}, nominal_preset().road, 1, "empty"), Error);
   RoadMap map;

@@ -72,6 +72,11 @@ disturbances: [{kind: latency, delay_ms: 80, sensors: [objects]}]
   EXPECT_EQ(config.lead_truck_gap, 40);
 }
 
+TEST(Scenario, FirstGapComesAfterAsLongAsTheOthers) {
+  const Scenario scenario = parse_scenario("version: 1\ndisturbances: [{kind: gaps, every_s: 30}]", "a.yaml");
+  EXPECT_EQ(scenario.disturbances.at(0).first, 30);
+}
+
 TEST(Scenario, RefusalsNameFileLineAndKey) {
   EXPECT_THAT(refusal_of("ego:\n  speed: 3\n"), HasSubstr("test.yaml, line 3, ego.speed: is an unknown key"));
   EXPECT_THAT(refusal_of("ego: {speed_mps: fast}"), HasSubstr("line 2, ego.speed_mps: is not a number"));
