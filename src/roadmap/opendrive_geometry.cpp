@@ -37,6 +37,8 @@ CubicPiece read_cubic_piece(const XmlElement& element, double length) {
   return {cubic(element, "U"), cubic(element, "V"), range == "arcLength" ? 1 : 1 / length};
 }
 
+constexpr double kSlack = 1e-3;  ///< [m] that rounding may leave
+
 PlanElement read_plan_element(const XmlElement& geometry) {
   PlanElement element;
   element.station = geometry.number("s");
@@ -45,6 +47,7 @@ PlanElement read_plan_element(const XmlElement& geometry) {
   if (element.length < 0 || element.length > kLongestRoad) {
     throw geometry.error(fmt::format("attribute 'length' is {}", element.length));
   }
+  if (element.station < -kSlack) throw geometry.error(fmt::format("attribute 's' is {}", element.station));
   if (geometry.find("line")) {
     element.shape = ClothoidPiece{};
   } else if (const auto arc = geometry.find("arc")) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace lanefuse {
 
@@ -23,11 +24,12 @@ struct RoadEvent {
   };
 
   Kind kind = Kind::exit;
-  double first = 600;        ///< [m] from the start of the drive to where it begins
-  double every = 0;          ///< [m] from one beginning to the next; 0: there is only one
-  double length = 0;         ///< [m]; 0: as usual, for missing paint to the end of the road
-  double share = 1;          ///< of the length that has no paint, in (0, 1]; only for missing paint
-  Lines lines = Lines::all;  ///< only for missing paint
+  double first = 600;                 ///< [m] from the start of the drive to where it begins
+  double every = 0;                   ///< [m] from one beginning to the next; 0: there is only one
+  double length = 0;                  ///< [m]; 0: as usual, for missing paint to the end of the road
+  double share = 1;                   ///< of the length that has no paint, in (0, 1]; only for missing paint
+  Lines lines = Lines::all;           ///< only for missing paint
+  std::string place = "road events";  ///< where it was asked for, for errors
 };
 const char* to_string(RoadEvent::Kind kind);
 

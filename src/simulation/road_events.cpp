@@ -53,7 +53,7 @@ void check_apart(const std::vector<Occurrence>& all, double start) {
     if (!changes_lanes(next.event->kind)) continue;
     if (last && next.stretch.begin < last->stretch.end) {
       throw configuration_error(
-          "road events",
+          next.event->place,
           fmt::format("the {} from {} m and the {} from {} m overlap", to_string(last->event->kind),
                       last->stretch.begin - start, to_string(next.event->kind), next.stretch.begin - start),
           "set them further apart");

@@ -31,6 +31,7 @@ constexpr Range kSeconds{1, 10000};  ///< [s] between lane changes
 
 RoadEvent read_event(ScenarioSection section) {
   RoadEvent event;
+  event.place = section.place_of("");
   event.kind = static_cast<RoadEvent::Kind>(section.needed_choice("kind", kEvents));
   event.first = section.number("first_m", kPlace).value_or(event.first);
   event.every = section.number("every_m", {100, 1e6}).value_or(event.every);

@@ -43,8 +43,7 @@ std::string ScenarioSection::path_of(const std::string& key) const {
   return path_.empty() ? key : fmt::format("{}.{}", path_, key);
 }
 
-void ScenarioSection::refuse(const std::string& key, const std::string& problem,
-                             const std::string& mend) const {
+std::string ScenarioSection::place_of(const std::string& key) const {
   int line = line_of(node_);
   if (node_.IsMap()) {
     for (const auto& entry : node_) {
@@ -52,8 +51,12 @@ void ScenarioSection::refuse(const std::string& key, const std::string& problem,
     }
   }
   const std::string path = path_of(key);
-  throw configuration_error(fmt::format("{}, line {}{}{}", place_, line, path.empty() ? "" : ", ", path),
-                            problem, mend);
+  return fmt::format("{}, line {}{}{}", place_, line, path.empty() ? "" : ", ", path);
+}
+
+void ScenarioSection::refuse(const std::string& key, const std::string& problem,
+                             const std::string& mend) const {
+  throw configuration_error(place_of(key), problem, mend);
 }
 
 std::optional<YAML::Node> ScenarioSection::take(const std::string& key) {

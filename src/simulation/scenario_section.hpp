@@ -36,6 +36,9 @@ class ScenarioSection {
   std::optional<std::size_t> choice(const std::string& key, std::span<const char* const> words);
   std::size_t needed_choice(const std::string& key, std::span<const char* const> words);
 
+  /// How errors name the key's place, or the whole section's where the key is empty.
+  [[nodiscard]] std::string place_of(const std::string& key) const;
+
   /// To be called when all is read: complains of what nobody asked for.
   void finish() const;
 

@@ -92,6 +92,17 @@ TEST(Scenario, RefusalsNameFileLineAndKey) {
   EXPECT_THAT(refusal_of("disturbances: [{kind: gaps, sensors: [nose]}]"), HasSubstr("nose is not known"));
 }
 
+TEST(Scenario, EventsThatMeetAreNamedByTheirLine) {
+  SimulationConfig config;
+  config.scenario = parse_scenario(
+      "version: 1\nroad:\n  events:\n    - {kind: exit, first_m: 600}\n    - {kind: lane_drop, first_m: "
+      "700}\n",
+      "test.yaml");
+  EXPECT_THAT(
+      [&] { DriveSimulation(config, nominal_preset()); },
+      testing::ThrowsMessage<Error>(HasSubstr("test.yaml, line 5, road.events[2]: the exit from 600 m")));
+}
+
 TEST(Scenario, RefusesOtherVersionsAndWhatIsNoMap) {
   EXPECT_THROW(parse_scenario("version: 2", "x.yaml"), Error);
   EXPECT_THROW(parse_scenario("about: no version", "x.yaml"), Error);
