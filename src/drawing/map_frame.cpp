@@ -19,7 +19,7 @@ constexpr double kLeastExtent = 1;  // [m] so that a point has a scale too
 }  // namespace
 
 MapFrame::MapFrame(std::span<const Eigen::Vector2d> points, double width, double most_height, double angle)
-    : angle_(angle), width_(width), height_(most_height), pixels_per_metre_(1) {
+    : angle_(angle), width_(width), height_(most_height) {
   Eigen::Vector2d lowest(0, 0);
   Eigen::Vector2d highest(0, 0);
   bool first = true;

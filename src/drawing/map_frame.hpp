@@ -31,7 +31,7 @@ class MapFrame {
   Eigen::Vector2d lowest_{0, 0};  // turned world
   double width_;
   double height_;
-  double pixels_per_metre_;
+  double pixels_per_metre_ = 1;
   double slack_ = 0;  // [px] left of the world, where the height is what limits the scale
 };
 

@@ -70,7 +70,7 @@ void LaneCuts::cut_across(std::uint64_t boundary, double arc) {
     for (auto lane = from; lane != to; ++lane) {
       const MapLane& here = *lane->second;
       const std::uint64_t other = here.left_boundary == at ? here.right_boundary : here.left_boundary;
-      if (cut.count(other) > 0) continue;
+      if (cut.contains(other)) continue;
       cut[other] = lines_.at(other).nearest(lines_.at(at).at(cut.at(at)));
       open.push_back(other);
     }

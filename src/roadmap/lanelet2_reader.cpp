@@ -52,7 +52,7 @@ LaneKind kind_of(const Tags& tags) {
   if (subtype == "emergency_lane") return LaneKind::emergency;
   if (subtype == "exit") return LaneKind::exit;
   const std::set<std::string> drivable = {"", "road", "highway", "play_street"};
-  return drivable.count(subtype) > 0 ? LaneKind::driving : LaneKind::other;
+  return drivable.contains(subtype) ? LaneKind::driving : LaneKind::other;
 }
 
 /// A lanelet's bound, turned into its driving direction.

@@ -15,8 +15,6 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// A transverse Mercator projection as PROJ describes it.
 struct Projection {
   double latitude_deg = 0;
@@ -38,7 +36,7 @@ class ProjText {
     }
   }
 
-  [[nodiscard]] bool has(const std::string& key) const { return values_.count(key) > 0; }
+  [[nodiscard]] bool has(const std::string& key) const { return values_.contains(key); }
   [[nodiscard]] std::string text(const std::string& key) const { return has(key) ? values_.at(key) : ""; }
   [[nodiscard]] double number(const std::string& key, double otherwise, double limit) const {
     if (!has(key)) return otherwise;

@@ -16,34 +16,34 @@ constexpr double kStandard = 0.15;    // [m] of paint
 constexpr double kBold = 0.30;        // [m] of paint
 
 std::optional<LaneKind> kind_of(const std::string& type) {
-  static const std::map<std::string, LaneKind> kKinds = {{"driving", LaneKind::driving},
-                                                         {"bidirectional", LaneKind::driving},
-                                                         {"HOV", LaneKind::driving},
-                                                         {"slipLane", LaneKind::driving},
-                                                         {"stop", LaneKind::emergency},
-                                                         {"shoulder", LaneKind::emergency},
-                                                         {"entry", LaneKind::entry},
-                                                         {"onRamp", LaneKind::entry},
-                                                         {"exit", LaneKind::exit},
-                                                         {"offRamp", LaneKind::exit},
-                                                         {"connectingRamp", LaneKind::driving},
-                                                         {"biking", LaneKind::other},
-                                                         {"sidewalk", LaneKind::other},
-                                                         {"walking", LaneKind::other},
-                                                         {"parking", LaneKind::other},
-                                                         {"restricted", LaneKind::other},
-                                                         {"roadWorks", LaneKind::other},
-                                                         {"bus", LaneKind::other},
-                                                         {"taxi", LaneKind::other},
-                                                         {"tram", LaneKind::other},
-                                                         {"rail", LaneKind::other},
-                                                         {"special1", LaneKind::other},
-                                                         {"special2", LaneKind::other},
-                                                         {"special3", LaneKind::other},
-                                                         {"mwyEntry", LaneKind::entry},
-                                                         {"mwyExit", LaneKind::exit}};
-  const auto found = kKinds.find(type);
-  return found == kKinds.end() ? std::nullopt : std::optional(found->second);
+  static const std::map<std::string, LaneKind> kinds = {{"driving", LaneKind::driving},
+                                                        {"bidirectional", LaneKind::driving},
+                                                        {"HOV", LaneKind::driving},
+                                                        {"slipLane", LaneKind::driving},
+                                                        {"stop", LaneKind::emergency},
+                                                        {"shoulder", LaneKind::emergency},
+                                                        {"entry", LaneKind::entry},
+                                                        {"onRamp", LaneKind::entry},
+                                                        {"exit", LaneKind::exit},
+                                                        {"offRamp", LaneKind::exit},
+                                                        {"connectingRamp", LaneKind::driving},
+                                                        {"biking", LaneKind::other},
+                                                        {"sidewalk", LaneKind::other},
+                                                        {"walking", LaneKind::other},
+                                                        {"parking", LaneKind::other},
+                                                        {"restricted", LaneKind::other},
+                                                        {"roadWorks", LaneKind::other},
+                                                        {"bus", LaneKind::other},
+                                                        {"taxi", LaneKind::other},
+                                                        {"tram", LaneKind::other},
+                                                        {"rail", LaneKind::other},
+                                                        {"special1", LaneKind::other},
+                                                        {"special2", LaneKind::other},
+                                                        {"special3", LaneKind::other},
+                                                        {"mwyEntry", LaneKind::entry},
+                                                        {"mwyExit", LaneKind::exit}};
+  const auto found = kinds.find(type);
+  return found == kinds.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Of a double line, the one that a lane on its inner side sees does not matter here: any solid one is solid.

@@ -73,7 +73,7 @@ using Ids = std::set<std::uint64_t>;
 void check_lane(const MapLane& lane, const Ids& boundaries, const Ids& lanes, const std::string& place) {
   const std::string here = fmt::format("{}, lane {}", place, lane.id);
   for (const std::uint64_t boundary : {lane.left_boundary, lane.right_boundary}) {
-    if (boundaries.count(boundary) == 0) {
+    if (!boundaries.contains(boundary)) {
       throw input_error(here, fmt::format("refers to boundary {}, which is not there", boundary));
     }
   }
@@ -81,7 +81,7 @@ void check_lane(const MapLane& lane, const Ids& boundaries, const Ids& lanes, co
   if (lane.left_lane) others.push_back(*lane.left_lane);
   if (lane.right_lane) others.push_back(*lane.right_lane);
   for (const std::uint64_t other : others) {
-    if (lanes.count(other) == 0) {
+    if (!lanes.contains(other)) {
       throw input_error(here, fmt::format("refers to lane {}, which is not there", other));
     }
   }
