@@ -12,8 +12,8 @@ namespace lanefuse {
 class PoorVisibility final : public DisturbedSensor {
  public:
   /// `start` [m]: station from which the stretches are counted.
-  PoorVisibility(std::unique_ptr<SensorModel> sensor, const Disturbance& disturbance, double start)
-      : DisturbedSensor(std::move(sensor)), disturbance_(disturbance), start_(start) {}
+  PoorVisibility(std::unique_ptr<SensorModel> sensor, Disturbance disturbance, double start)
+      : DisturbedSensor(std::move(sensor)), disturbance_(std::move(disturbance)), start_(start) {}
   void observe(const Scene& scene, std::vector<Measurement>& measurements) override;
 
  private:

@@ -13,8 +13,8 @@ namespace lanefuse {
 /// A sensor whose messages are lost for a while, again and again. It looks on meanwhile: its tracks live.
 class SensorGaps final : public DisturbedSensor {
  public:
-  SensorGaps(std::unique_ptr<SensorModel> sensor, const Disturbance& disturbance)
-      : DisturbedSensor(std::move(sensor)), gaps_(disturbance) {}
+  SensorGaps(std::unique_ptr<SensorModel> sensor, Disturbance disturbance)
+      : DisturbedSensor(std::move(sensor)), gaps_(std::move(disturbance)) {}
   void observe(const Scene& scene, std::vector<Measurement>& measurements) override;
 
  private:

@@ -39,7 +39,7 @@ std::string lane_element(const Road& road, int lane) {
       index, kSpeedLimit, road.length(), road.lane_width(lane, 0), y);
 }
 
-const char* kTypes =
+constexpr const char* kTypes =
     "<vType id=\"car\" length=\"4.5\" width=\"1.8\" maxSpeed=\"45\" "
     "speedFactor=\"normc(0.85,0.07,0.65,1.1)\" "
     "lcSigma=\"0.2\" maxSpeedLat=\"1.5\" minGapLat=\"0.6\"/>\n"
