@@ -92,7 +92,7 @@ int list_drives(const BenchmarkOptions& options, const std::vector<DriveKey>& dr
 /// "5 of 12 drives, 0.8 km/s, 3:20 left"
 std::string pace(double done, const std::vector<OpenJob>& jobs, double seconds) {
   const double km = done * jobs.front().job.key.km;
-  const std::string counted = fmt::format("{:.0f} of {} drives", std::floor(done), jobs.size());
+  std::string counted = fmt::format("{:.0f} of {} drives", std::floor(done), jobs.size());
   if (seconds < 1 || km <= 0) return counted;
   const double left = seconds * (static_cast<double>(jobs.size()) - done) / done;
   const auto whole = static_cast<long>(left);
