@@ -152,7 +152,7 @@ TEST_F(Refusals, NameLineAndElement) {
   expect_refused(replaced(text, "<line/>", "<bezier/>"), "7, <road id=1>/<planView>/<geometry>",
                  "is none of line");
   expect_refused(replaced(text, "<geometry s=\"0\"", "<geometry s=\"-5\""),
-                 "6, <road id=1>/<planView>/<geometry>", "attribute 's' is -5");
+                 "7, <road id=1>/<planView>/<geometry>", "attribute 's' is -5");
   expect_refused(replaced(text, "length=\"100\"", "length=\"200\""), "6, <road id=1>/<planView>",
                  "give the road the length of its geometries");
   expect_refused(replaced(text, "length=\"100\"", "length=\"1e9\""), "4, <road id=1>", "attribute 'length'");
