@@ -16,7 +16,7 @@ constexpr double kNear = 1.0;  // [m]
 
 }  // namespace
 
-LaneCuts::LaneCuts(const RoadMap& map, const std::string& place) : map_(map), place_(place) {
+LaneCuts::LaneCuts(const RoadMap& map, const std::string& place) : place_(place) {
   for (const MapBoundary& boundary : map.boundaries) {
     const MeasuredLine& line = lines_.emplace(boundary.id, MeasuredLine(boundary.points)).first->second;
     cuts_[boundary.id] = {0, line.length()};

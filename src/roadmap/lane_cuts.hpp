@@ -45,7 +45,6 @@ class LaneCuts {
   [[nodiscard]] double snapped(std::uint64_t boundary, double arc) const;
   [[nodiscard]] std::vector<BoundaryPiece> side(std::uint64_t boundary, std::uint64_t other) const;
 
-  const RoadMap& map_;
   const std::string& place_;
   std::map<std::uint64_t, MeasuredLine> lines_;
   std::map<std::uint64_t, std::set<double>> cuts_;  ///< by boundary, with both ends

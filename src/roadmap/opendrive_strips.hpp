@@ -23,7 +23,7 @@ struct OpenDriveStrip {
 /// The strips of one section's lanes, from left to right: sampled so that chords are within 5 mm of the curve
 /// and points at most 2 m apart. Lanes that have no width anywhere, and what is no lane, are left out. Takes
 /// the points it makes from `points_left`, and throws where they do not suffice.
-std::vector<OpenDriveStrip> sample_section(const OpenDriveRoad& road, std::size_t section,
+std::vector<OpenDriveStrip> sample_section(const OpenDriveRoad& road, std::size_t index,
                                            const PointConversion& convert, std::size_t& points_left);
 
 }  // namespace lanefuse

@@ -51,9 +51,8 @@ TrackSmoother::Fix vehicle_fix(const GnssInsFix& fix, const GeoFrame& frame, con
           place.z() - mounting.z};
 }
 
-SurveyRecorder::SurveyRecorder(std::string name, const GeoFrame& frame, const Rig& rig,
-                               const SurveyConfig& config)
-    : frame_(frame), rig_(rig), config_(config) {
+SurveyRecorder::SurveyRecorder(std::string name, const GeoFrame& frame, Rig rig, const SurveyConfig& config)
+    : frame_(frame), rig_(std::move(rig)), config_(config) {
   drive_.name = std::move(name);
 }
 

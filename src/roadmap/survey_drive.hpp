@@ -40,7 +40,7 @@ struct SurveyedDrive {
 class SurveyRecorder {
  public:
   /// `name` is the drive's, for errors.
-  SurveyRecorder(std::string name, const GeoFrame& frame, const Rig& rig, const SurveyConfig& config = {});
+  SurveyRecorder(std::string name, const GeoFrame& frame, Rig rig, const SurveyConfig& config = {});
 
   void add(const Measurement& measurement);
 

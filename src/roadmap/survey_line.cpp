@@ -19,7 +19,7 @@ constexpr int kRounds = 8;                  ///< of placing lines and drives in 
 class Partition {
  public:
   explicit Partition(std::size_t size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), 0u); }
-  std::size_t root(std::size_t i) const {
+  [[nodiscard]] std::size_t root(std::size_t i) const {
     while (parents_[i] != i) i = parents_[i];
     return i;
   }
