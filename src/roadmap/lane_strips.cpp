@@ -133,7 +133,7 @@ class Assembly {
  private:
   [[nodiscard]] std::uint64_t id_of(std::size_t run) const { return strips_[runs_[run].front()].id; }
 
-  MapLane lane(const Run& run) const {
+  [[nodiscard]] MapLane lane(const Run& run) const {
     MapLane lane{strips_[run.front()].id, strips_[run.front()].kind, 0, 0, {}, {}, {}};
     lane.left_lane = longest_neighbour(run, &LaneStrip::left_strip);
     lane.right_lane = longest_neighbour(run, &LaneStrip::right_strip);
@@ -147,8 +147,8 @@ class Assembly {
   }
 
   /// Beside a long lane several may follow one another.
-  std::optional<std::uint64_t> longest_neighbour(const Run& run,
-                                                 std::optional<std::size_t> LaneStrip::*beside) const {
+  [[nodiscard]] std::optional<std::uint64_t> longest_neighbour(
+      const Run& run, std::optional<std::size_t> LaneStrip::*beside) const {
     std::map<std::size_t, double> lengths;
     for (const std::size_t strip : run) {
       const std::optional<std::size_t> other = strips_[strip].*beside;
@@ -159,7 +159,7 @@ class Assembly {
     return longest == lengths.end() ? std::nullopt : std::optional(id_of(longest->first));
   }
 
-  std::vector<std::size_t> from_left_to_right(const std::vector<MapLane>& lanes) const {
+  [[nodiscard]] std::vector<std::size_t> from_left_to_right(const std::vector<MapLane>& lanes) const {
     std::map<std::uint64_t, std::size_t> index;
     for (std::size_t i = 0; i < lanes.size(); ++i) index[lanes[i].id] = i;
     std::vector<std::size_t> order;

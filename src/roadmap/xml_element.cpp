@@ -75,7 +75,7 @@ std::string XmlElement::place() const {
   while (!at->Attribute("id") && at->Parent() && at->Parent()->ToElement()) {
     at = at->Parent()->ToElement();
     if (!at->Parent()->ToElement()) break;  // the root says nothing
-    path = XmlElement(*at, *file_).label() + "/" + path;
+    path = fmt::format("{}/{}", XmlElement(*at, *file_).label(), path);
   }
   return fmt::format("{}, line {}, {}", *file_, element_->GetLineNum(), path);
 }
