@@ -22,6 +22,7 @@ struct ItemCount {
   std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
   std::uint64_t operator()(const GnssInsFix&) const { return 0; }
+  std::uint64_t operator()(const CameraImage&) const { return 1; }
 };
 
 std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }

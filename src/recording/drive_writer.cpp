@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "recording/image_codec.hpp"
 #include "recording/measurement_codec.hpp"
 #include "recording/rig_codec.hpp"
 #include "recording/topic_writer.hpp"
@@ -55,6 +56,10 @@ class DriveWriter::Session {
     if (rig_written_) return;
     topics_.write({topic::kCalibration}, time, encode_rig(rig_));
     topics_.write({topic::kTransforms}, time, encode_transforms(rig_, time));
+    for (const SensorDescription& sensor : rig_.sensors) {
+      if (!sensor.camera) continue;
+      topics_.write({topic::kCameraCalibration, sensor.id}, time, encode_camera_calibration(sensor, time));
+    }
     rig_written_ = true;
   }
 

@@ -3,6 +3,7 @@
 #include "recording/lanes_reader.hpp"
 
 #include "core/error.hpp"
+#include "recording/camera_view_codec.hpp"
 #include "recording/debug_view_codec.hpp"
 #include "recording/lane_estimate_codec.hpp"
 #include "recording/topic_reader.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 bool is_read(std::string_view topic) {
   return topic == topic::kLanes || topic == topic::kFusedFeatures || topic == topic::kSwitches ||
-         topic == topic::kRoadCourse;
+         topic == topic::kRoadCourse || topic == topic::kCameraView;
 }
 
 }  // namespace
@@ -29,12 +30,14 @@ class LanesReader::Session {
 
   bool next(LaneRecord& record) {
     record.debug = {};
+    record.cameras.clear();
     features_.clear();
     Time debug_time{};
     while (topics_.next()) {
       // A cycle that lost its lanes leaves an inside view behind that belongs to nothing.
       if (topics_.log_time() != debug_time) {
         record.debug = {};
+        record.cameras.clear();
         features_.clear();
       }
       debug_time = topics_.log_time();
@@ -59,6 +62,7 @@ class LanesReader::Session {
     const mcap::Bytes& bytes = topics_.message().data;
     if (topic == topic::kFusedFeatures && defer_features_) features_ = bytes;
     if (topic == topic::kFusedFeatures && !defer_features_) decode_fused_features(bytes, record.debug);
+    if (topic == topic::kCameraView) record.cameras.push_back(decode_camera_view(bytes));
     if (topic == topic::kSwitches) decode_switches(bytes, record.debug);
     if (topic == topic::kRoadCourse) decode_road_course(bytes, record.debug);
     if (topic != topic::kLanes) return false;

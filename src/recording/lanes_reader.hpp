@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "core/lane_estimate.hpp"
 #include "recording/read_report.hpp"
 #include "recording/run_info.hpp"
+#include "sensors/camera_view.hpp"
 #include "sensors/drive.hpp"
 
 namespace lanefuse {
@@ -15,7 +17,8 @@ namespace lanefuse {
 /// One recorded cycle.
 struct LaneRecord {
   LaneEstimate estimate;
-  DebugView debug;  ///< empty where the recording has lost it
+  DebugView debug;                  ///< empty where the recording has lost it
+  std::vector<CameraView> cameras;  ///< what the cameras saw since the cycle before
 };
 
 /// Replays recorded lanes, in order of time.

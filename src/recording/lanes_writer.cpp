@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/lanes_writer.hpp"
 
+#include "recording/camera_view_codec.hpp"
 #include "recording/debug_view_codec.hpp"
 #include "recording/lane_estimate_codec.hpp"
 #include "recording/topic_writer.hpp"
@@ -15,8 +16,11 @@ class LanesWriter::Session {
   Session(const std::filesystem::path& path, const DriveInfo& drive, const RunInfo& run)
       : topics_(path, {RecordingHead::Kind::lanes, drive, run}) {}
 
-  void write(const LaneEstimate& estimate, const DebugView& debug) {
+  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras) {
     const Time time = estimate.time;
+    for (const CameraView& view : cameras) {
+      topics_.write({topic::kCameraView, view.sensor_id}, view.measured_at, time, encode_camera_view(view));
+    }
     topics_.write({topic::kFusedFeatures}, time, encode_fused_features(debug));
     topics_.write({topic::kSwitches}, time, encode_switches(debug));
     topics_.write({topic::kRoadCourse}, time, encode_road_course(debug));
@@ -47,8 +51,9 @@ LanesWriter::~LanesWriter() = default;
 LanesWriter::LanesWriter(LanesWriter&&) noexcept = default;
 LanesWriter& LanesWriter::operator=(LanesWriter&&) noexcept = default;
 
-void LanesWriter::write(const LaneEstimate& estimate, const DebugView& debug) {
-  session_->write(estimate, debug);
+void LanesWriter::write(const LaneEstimate& estimate, const DebugView& debug,
+                        std::span<const CameraView> cameras) {
+  session_->write(estimate, debug, cameras);
 }
 void LanesWriter::close() { session_->close(); }
 

@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "core/lane_estimate.hpp"
 #include "recording/run_info.hpp"
+#include "sensors/camera_view.hpp"
 #include "sensors/drive.hpp"
 
 namespace lanefuse {
@@ -20,8 +22,9 @@ class LanesWriter {
   LanesWriter(LanesWriter&&) noexcept;
   LanesWriter& operator=(LanesWriter&&) noexcept;
 
-  /// One cycle; in order of time. Throws Error (input) where the time lies before 1970 or the disk fails.
-  void write(const LaneEstimate& estimate, const DebugView& debug);
+  /// One cycle, with what the cameras saw since the one before; in order of time. Throws Error (input) where
+  /// the time lies before 1970 or the disk fails.
+  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras = {});
 
   void close();
 

@@ -4,6 +4,7 @@
 
 #include "recording/camera_codec.hpp"
 #include "recording/gnss_ins_codec.hpp"
+#include "recording/image_codec.hpp"
 #include "recording/motion_codec.hpp"
 #include "recording/object_codec.hpp"
 #include "recording/radar_codec.hpp"
@@ -31,6 +32,9 @@ struct Encoder {
   Messages operator()(const RadarScan& scan) const { return {{topic::kRadar, encode_radar_scan(scan)}}; }
   Messages operator()(const ObjectList& list) const { return {{topic::kObjects, encode_objects(list)}}; }
   Messages operator()(const GnssInsFix& fix) const { return {{topic::kGnssIns, encode_gnss_ins(fix)}}; }
+  Messages operator()(const CameraImage& image) const {
+    return {{topic::kImage, encode_camera_image(image)}};
+  }
 };
 
 template <auto decode>
@@ -52,6 +56,7 @@ MeasurementDecoder decoder_of(std::string_view topic) {
   if (topic == topic::kRadar) return &decoded<decode_radar_scan>;
   if (topic == topic::kObjects) return &decoded<decode_objects>;
   if (topic == topic::kGnssIns) return &decoded<decode_gnss_ins>;
+  if (topic == topic::kImage) return &decoded<decode_camera_image>;
   return nullptr;
 }
 

@@ -7,10 +7,13 @@
 
 #include <google/protobuf/descriptor.pb.h>
 
+#include "foxglove/camera_calibration.pb.h"
+#include "foxglove/compressed_image.pb.h"
 #include "foxglove/frame_transforms.pb.h"
 #include "foxglove/location_fix.pb.h"
 #include "foxglove/log.pb.h"
 #include "foxglove/scene.pb.h"
+#include "lanefuse/camera_view.pb.h"
 #include "lanefuse/debug_view.pb.h"
 #include "lanefuse/lane_estimate.pb.h"
 #include "lanefuse/measurements.pb.h"
@@ -43,12 +46,15 @@ constexpr Entry kEntries[] = {
     {topic::kRadar, &v1::RadarScan::descriptor},
     {topic::kObjects, &osi3::SensorData::descriptor},
     {topic::kGnssIns, &foxglove::LocationFix::descriptor},
+    {topic::kImage, &foxglove::CompressedImage::descriptor},
+    {topic::kCameraCalibration, &foxglove::CameraCalibration::descriptor},
     {topic::kLanes, &v1::LaneEstimate::descriptor},
     {topic::kLaneBoundaries, &osi3::SensorData::descriptor},
     {topic::kFusedFeatures, &v1::FusedFeatures::descriptor},
     {topic::kSwitches, &v1::SwitchStates::descriptor},
     {topic::kRoadCourse, &v1::RoadCourse::descriptor},
     {topic::kScene, &foxglove::SceneUpdate::descriptor},
+    {topic::kCameraView, &v1::CameraView::descriptor},
     {topic::kStatus, &foxglove::Log::descriptor},
     {topic::kTrueRoad, &osi3::GroundTruth::descriptor},
     {topic::kTrueFrame, &osi3::GroundTruth::descriptor},

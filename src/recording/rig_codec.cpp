@@ -9,30 +9,51 @@
 #include "lanefuse/rig.pb.h"
 #include "recording/foxglove_fields.hpp"
 #include "recording/message_bytes.hpp"
+#include "recording/mounting_fields.hpp"
 
 namespace lanefuse {
 namespace {
 
-void put(const Mounting& mounting, v1::Mounting& message) {
-  message.set_x(mounting.x);
-  message.set_y(mounting.y);
-  message.set_z(mounting.z);
-  message.set_roll(mounting.roll);
-  message.set_pitch(mounting.pitch);
-  message.set_yaw(mounting.yaw);
+void put(const CameraIntrinsics& camera, v1::CameraIntrinsics& message) {
+  message.set_width(static_cast<std::uint32_t>(camera.width));
+  message.set_height(static_cast<std::uint32_t>(camera.height));
+  message.set_fx(camera.fx);
+  message.set_fy(camera.fy);
+  message.set_cx(camera.cx);
+  message.set_cy(camera.cy);
+  for (const double k : camera.distortion) message.add_distortion(k);
 }
 
-Mounting take(const v1::Mounting& message) {
-  for (const double number :
-       {message.x(), message.y(), message.z(), message.roll(), message.pitch(), message.yaw()}) {
-    finite(number, message.GetTypeName());
+CameraIntrinsics take(const v1::CameraIntrinsics& message) {
+  constexpr std::uint32_t kLargest = 65'535;  // [px]
+  const std::string type = message.GetTypeName();
+  if (message.width() == 0 || message.height() == 0 || message.width() > kLargest ||
+      message.height() > kLargest) {
+    refuse(type, "its image has no size that a camera's has");
   }
-  return {message.x(), message.y(), message.z(), message.roll(), message.pitch(), message.yaw()};
+  CameraIntrinsics camera{static_cast<int>(message.width()),
+                          static_cast<int>(message.height()),
+                          finite(message.fx(), type),
+                          finite(message.fy(), type),
+                          finite(message.cx(), type),
+                          finite(message.cy(), type),
+                          {}};
+  if (!(camera.fx > 0 && camera.fy > 0)) refuse(type, "its focal length is not positive");
+  if (message.distortion_size() != static_cast<int>(camera.distortion.size())) {
+    refuse(type, "it has not five numbers of distortion");
+  }
+  for (int i = 0; i < message.distortion_size(); ++i) {
+    camera.distortion[static_cast<std::size_t>(i)] = finite(message.distortion(i), type);
+  }
+  return camera;
 }
 
 SensorDescription take(const v1::Sensor& message) {
   if (!v1::SensorKind_IsValid(message.kind())) refuse(message.GetTypeName(), "its kind is unknown");
-  return {message.id(), static_cast<SensorKind>(message.kind()), message.name(), take(message.mounting())};
+  SensorDescription sensor{message.id(), static_cast<SensorKind>(message.kind()), message.name(),
+                           lanefuse::take(message.mounting())};
+  if (message.has_camera()) sensor.camera = take(message.camera());
+  return sensor;
 }
 
 Eigen::Quaterniond rotation_of(const Mounting& mounting) {
@@ -50,7 +71,8 @@ mcap::Bytes encode_rig(const Rig& rig) {
     part.set_id(sensor.id);
     part.set_kind(static_cast<v1::SensorKind>(sensor.kind));
     part.set_name(sensor.name);
-    put(sensor.mounting, *part.mutable_mounting());
+    lanefuse::put(sensor.mounting, *part.mutable_mounting());
+    if (sensor.camera) put(*sensor.camera, *part.mutable_camera());
   }
   return to_bytes(message);
 }

@@ -16,6 +16,8 @@ inline constexpr char kHighResolutionCamera[] = "/in/high_resolution_camera";
 inline constexpr char kRadar[] = "/in/radar";
 inline constexpr char kObjects[] = "/in/objects";
 inline constexpr char kGnssIns[] = "/in/gnss_ins";
+inline constexpr char kImage[] = "/in/image";
+inline constexpr char kCameraCalibration[] = "/in/camera_calibration";
 
 inline constexpr char kLanes[] = "/out/lanes";
 inline constexpr char kLaneBoundaries[] = "/out/lane_boundaries";
@@ -23,6 +25,7 @@ inline constexpr char kFusedFeatures[] = "/out/fused_features";
 inline constexpr char kSwitches[] = "/out/switches";
 inline constexpr char kRoadCourse[] = "/out/road_course";
 inline constexpr char kScene[] = "/out/scene";
+inline constexpr char kCameraView[] = "/out/camera_view";
 inline constexpr char kStatus[] = "/out/status";
 
 inline constexpr char kTrueRoad[] = "/truth/road";

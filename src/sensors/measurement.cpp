@@ -64,6 +64,7 @@ struct Plausibility {
   }
   std::optional<std::string> operator()(const RadarScan&) const { return {}; }
   std::optional<std::string> operator()(const ObjectList&) const { return {}; }
+  std::optional<std::string> operator()(const CameraImage&) const { return {}; }
   std::optional<std::string> operator()(const GnssInsFix& fix) const {
     const bool on_earth = std::abs(fix.latitude) <= std::numbers::pi / 2 &&
                           std::abs(fix.longitude) <= std::numbers::pi && is_within(fix.height, 1e5);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -107,9 +108,16 @@ struct GnssInsFix {
   FixKind kind = FixKind::unknown;
 };
 
+/// One image as its camera sent it, still compressed.
+struct CameraImage {
+  Stamp stamp;
+  std::string format;            ///< "jpeg", "png" or "webp": what the bytes claim to be
+  std::vector<std::byte> bytes;  ///< judged only when they are decoded
+};
+
 /// Anything that a drive's sensors gave. The order is kept: only append.
 using Measurement =
-    std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList, GnssInsFix>;
+    std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList, GnssInsFix, CameraImage>;
 
 const Stamp& stamp_of(const Measurement& measurement);
 

@@ -14,7 +14,8 @@ const SensorDescription* Rig::find(std::uint32_t id) const {
 
 bool Rig::has_camera() const {
   return std::any_of(sensors.begin(), sensors.end(), [](const auto& sensor) {
-    return sensor.kind == SensorKind::serial_camera || sensor.kind == SensorKind::high_resolution_camera;
+    return sensor.kind == SensorKind::serial_camera || sensor.kind == SensorKind::high_resolution_camera ||
+           sensor.kind == SensorKind::camera;
   });
 }
 
@@ -34,6 +35,8 @@ const char* to_string(SensorKind kind) {
       return "object_fusion";
     case SensorKind::gnss_ins:
       return "gnss_ins";
+    case SensorKind::camera:
+      return "camera";
   }
   return "unknown";
 }

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "sensors/camera_intrinsics.hpp"
 
 namespace lanefuse {
 
@@ -16,6 +19,7 @@ enum class SensorKind : std::uint8_t {
   short_range_radar = 4,
   object_fusion = 5,  ///< a production fusion that hands over tracked objects
   gnss_ins = 6,
+  camera = 7,  ///< one camera whose images serve both as the serial and as the high-resolution camera's
 };
 const char* to_string(SensorKind kind);
 
@@ -37,6 +41,7 @@ struct SensorDescription {
   SensorKind kind = SensorKind::odometry;
   std::string name;
   Mounting mounting;
+  std::optional<CameraIntrinsics> camera = {};  ///< of cameras that hand over images
   friend bool operator==(const SensorDescription&, const SensorDescription&) = default;
 };
 
