@@ -22,7 +22,7 @@ constexpr std::size_t kFewestViews = 3;
 constexpr double kLeastCornerError = 0.1;  ///< [px]: a better fit does not make the lens better known
 
 cv::Mat grey_of(const ImageView& image) {
-  const cv::Mat seen(image.height, image.width, image.channels == 3 ? CV_8UC3 : CV_8UC1,
+  cv::Mat seen(image.height, image.width, image.channels == 3 ? CV_8UC3 : CV_8UC1,
                      const_cast<std::uint8_t*>(image.data),  // NOLINT: it is only read
                      static_cast<std::size_t>(image.stride));
   if (image.channels == 1) return seen;
