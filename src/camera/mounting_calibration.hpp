@@ -22,7 +22,7 @@ struct MountingCalibrationConfig {
   double pitch_sigma_deg = 0.2;    ///< [deg] of the car on its springs and of the road ahead
   double roll_sigma_deg = 1;       ///< [deg] of the camera, once: hung upright as well as one can see
   double point_sigma_px = 1.5;     ///< [px] of the paint's middle, with what is left of the lens's error
-  double outlier_deg = 1.5;  ///< [deg] by which an image's vanishing point may differ from the others'
+  double outlier_deg = 1.5;        ///< [deg] by which an image's vanishing point may differ from the others'
 };
 
 struct MountingCalibration {
