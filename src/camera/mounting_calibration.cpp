@@ -38,21 +38,31 @@ void bundle(std::vector<Eigen::Vector2d> points, double side, std::vector<Bundle
   }
 }
 
-double median(std::vector<double> values) {
+double median(std::span<const StraightRoadView> views, double (*of)(const StraightRoadView&)) {
+  std::vector<double> values;
+  for (const StraightRoadView& view : views) values.push_back(of(view));
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-Eigen::Vector2d usual_vanishing(std::span<const StraightRoadView> views) {
-  std::vector<double> right;
-  std::vector<double> down;
-  for (const StraightRoadView& view : views) {
-    right.push_back(view.vanishing.x());
-    down.push_back(view.vanishing.y());
+/// What most views say.
+struct Consensus {
+  Eigen::Vector2d vanishing;
+  double width;  ///< of the lane, in camera heights
+
+  explicit Consensus(std::span<const StraightRoadView> views)
+      : vanishing(median(views, [](const StraightRoadView& v) { return v.vanishing.x(); }),
+                  median(views, [](const StraightRoadView& v) { return v.vanishing.y(); })),
+        width(median(views, width_of)) {}
+
+  [[nodiscard]] bool holds(const StraightRoadView& view, const MountingCalibrationConfig& config) const {
+    return (view.vanishing - vanishing).norm() < config.outlier_deg * kDegree &&
+           std::abs(width_of(view) / width - 1) < config.outlier_width;
   }
-  return {median(right), median(down)};
-}
+
+  static double width_of(const StraightRoadView& view) { return view.right_slope - view.left_slope; }
+};
 
 /// Least squares over the mounting and, for every view, how the car stood in its lane.
 class Problem {
@@ -178,13 +188,6 @@ class Problem {
   }
 };
 
-double start_height(const std::vector<const StraightRoadView*>& views, double lane_width) {
-  std::vector<double> heights;
-  for (const StraightRoadView* view : views)
-    heights.push_back(lane_width / (view->right_slope - view->left_slope));
-  return median(heights);
-}
-
 }  // namespace
 
 MountingCalibration calibrate_mounting(std::span<const StraightRoadView> views, const CameraModel& camera,
@@ -193,20 +196,20 @@ MountingCalibration calibrate_mounting(std::span<const StraightRoadView> views, 
     throw input_error("mounting", "no image shows the two markings of a straight lane",
                       "take images on a straight road with visible paint");
   }
-  const Eigen::Vector2d vanishing = usual_vanishing(views);
+  const Consensus consensus(views);
   MountingCalibration result;
   std::vector<const StraightRoadView*> used;
   for (const StraightRoadView& view : views) {
-    const bool is_used = (view.vanishing - vanishing).norm() < config.outlier_deg * kDegree;
+    const bool is_used = consensus.holds(view, config);
     result.views.push_back({is_used, 0, 0});
     if (is_used) used.push_back(&view);
   }
-  if (used.empty()) {
-    throw input_error("mounting", "no two images agree on where the road runs to",
+  if (used.size() < std::min<std::size_t>(views.size(), 2)) {
+    throw input_error("mounting", "no two images agree on where the road runs and how wide the lane is",
                       "take images on a straight road, in the middle of a lane");
   }
   Problem problem(used, camera, start, config);
-  problem.start_at(vanishing, start_height(used, config.lane_width));
+  problem.start_at(consensus.vanishing, config.lane_width / consensus.width);
   problem.solve();
   result.mounting = problem.mounting();
   result.covariance = problem.covariance();

@@ -140,6 +140,16 @@ TEST(MountingCalibration, LeavesOutAnImageThatLooksElsewhere) {
   EXPECT_NEAR(result.mounting.yaw, 0, 0.02 * kDegree);
 }
 
+TEST(MountingCalibration, LeavesOutAnImageWithAnotherLaneWidth) {
+  const Mounting mounting{0, 0, 1.3};
+  const std::vector<StraightRoadView> views{exact_view(mounting), exact_view({0, 0, 1.5}),
+                                            exact_view(mounting)};
+  const auto result = calibrate_mounting(views, kCamera, {});
+  EXPECT_FALSE(result.views[1].used);
+  EXPECT_NEAR(result.mounting.z, 1.3, 2e-3);
+  EXPECT_THROW(calibrate_mounting(std::span(views).first(2), kCamera, {}), Error) << "which one is right?";
+}
+
 TEST(MountingCalibration, RefusesToWorkFromNothing) {
   EXPECT_THROW(calibrate_mounting({}, kCamera, {}), Error);
 }

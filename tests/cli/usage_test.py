@@ -6,7 +6,7 @@ import program
 
 SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"],
                ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"],
-               ["map", "info"], ["map", "convert"]]
+               ["map", "info"], ["map", "convert"], ["calibrate", "chessboard"], ["calibrate", "mounting"]]
 
 
 class Help(program.ProgramTest):
