@@ -8,6 +8,7 @@
 #include "benchmark/variant.hpp"
 #include "cli/benchmark_command.hpp"
 #include "cli/benchmark_results_command.hpp"
+#include "cli/camera_benchmark_command.hpp"
 #include "cli/command_line.hpp"
 
 namespace lanefuse {
@@ -72,6 +73,24 @@ void add_compare(CLI::App& benchmark, CommandLine& line) {
   finish(command, line, options, compare_results);
 }
 
+void add_cameras(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<CameraBenchmarkOptions>();
+  CLI::App& command = *benchmark.add_subcommand(
+      "cameras", "render drives and judge what the cameras see, image by image, against what was rendered");
+  command
+      .add_option("--conditions", options.conditions, "clear, low-sun, wet, night; all, if nothing is said")
+      ->delimiter(',');
+  command.add_option("--road", options.road, "gentle or curved")
+      ->check(CLI::IsMember({"gentle", "curved"}))
+      ->capture_default_str();
+  command.add_option("--seeds", options.seeds, "one drive each, as in 1-3,9")->capture_default_str();
+  command.add_option("--km", options.km, "length of a drive [km]")
+      ->check(CLI::Range(0.2, 100.0))
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "drives at a time, else one a core")->check(CLI::Range(1, 4096));
+  finish(command, line, options, benchmark_cameras);
+}
+
 }  // namespace
 
 void add_benchmark(CommandLine& line) {
@@ -87,6 +106,7 @@ void add_benchmark(CommandLine& line) {
                      "I/N: every N-th drive from the I-th on, for arrays of machines");
   CLI::Option* list = command.add_flag("--list", options.list, "name the drives and stop");
   command.add_flag("--no-times", options.no_times, "leave out wall-clock times: equal runs, equal bytes");
+  add_cameras(command, line);
   add_merge(command, line);
   add_table(command, line);
   add_compare(command, line);
