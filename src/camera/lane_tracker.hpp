@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "camera/image.hpp"
+#include "camera/neighbour_markings.hpp"
 #include "core/feature.hpp"
 #include "core/time.hpp"
 #include "sensors/camera_intrinsics.hpp"
@@ -21,12 +23,6 @@ enum class LaneTrackStatus : std::uint8_t {
   tracking = 2,
 };
 const char* to_string(LaneTrackStatus status);
-
-/// How wide the lane next to the ego lane appears, between the inner edges of its two markings.
-struct NeighbourWidth {
-  double width = 0;  ///< [m]
-  double sigma = 0;  ///< [m]
-};
 
 /// The ego lane in one image.
 struct LaneTrack {
