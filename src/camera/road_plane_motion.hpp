@@ -17,7 +17,7 @@ struct RoadPlaneMotionConfig {
   double farthest = 28;           ///< [m]
   double half_width = 6;          ///< [m] to either side
   double fastest = 60;            ///< [m/s] that the first search looks for
-  double acceleration = 3;        ///< [m/s^2] one sigma of what a car does within a second
+  double acceleration = 0.7;      ///< [m/s^2] that the acceleration changes by within a second, one sigma
   double yaw_acceleration = 0.1;  ///< [rad/s^2]
   double pitch_step_deg = 0.15;   ///< [deg] one sigma between two images
 };
