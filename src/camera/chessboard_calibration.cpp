@@ -19,9 +19,10 @@ namespace {
 
 constexpr int kFewestAcross = 3;  ///< inner corners of a board: fewer are found in any tiled wall
 constexpr std::size_t kFewestViews = 3;
+constexpr double kLeastCornerError = 0.1;  ///< [px]: a better fit does not make the lens better known
 
 cv::Mat grey_of(const ImageView& image) {
-  const cv::Mat seen(image.height, image.width, image.channels == 3 ? CV_8UC3 : CV_8UC1,
+  cv::Mat seen(image.height, image.width, image.channels == 3 ? CV_8UC3 : CV_8UC1,
                      const_cast<std::uint8_t*>(image.data),  // NOLINT: it is only read
                      static_cast<std::size_t>(image.stride));
   if (image.channels == 1) return seen;
@@ -99,17 +100,33 @@ Solution solve(const Correspondences& seen, const cv::Size& size) {
   return s;
 }
 
-/// A focal length that is hardly known, or a lens that is none, comes from boards that all face the camera.
 void check(const ChessboardCalibration& result) {
   const CameraIntrinsics& c = result.camera;
-  const double focal = std::min(c.fx, c.fy);
   bool finite = std::isfinite(result.rms_px) && std::isfinite(c.cx) && std::isfinite(c.cy);
   for (const double k : c.distortion) finite = finite && std::isfinite(k);
   for (const double s : result.sigma) finite = finite && std::isfinite(s);
+  const double focal = std::min(c.fx, c.fy);
   constexpr double kLargestShare = 0.05;
   if (!finite || !(focal > 0) || !(std::max(result.sigma[0], result.sigma[1]) < kLargestShare * focal)) {
     throw undetermined("the focal length stays uncertain");
   }
+}
+
+/// Boards that all stand alike leave the focal length to their distance, whatever the sigmas say.
+void check_tilts(const std::vector<cv::Mat>& rotations) {
+  constexpr double kLeastTilt = 0.15;  // [rad] between some two of them
+  std::vector<cv::Vec3d> normals;
+  for (const cv::Mat& rotation : rotations) {
+    cv::Matx33d turn;
+    cv::Rodrigues(rotation, turn);
+    normals.emplace_back(turn(0, 2), turn(1, 2), turn(2, 2));
+  }
+  for (const cv::Vec3d& a : normals) {
+    for (const cv::Vec3d& b : normals) {
+      if (cv::norm(a.cross(b)) > kLeastTilt) return;
+    }
+  }
+  throw undetermined("the boards are all tilted alike");
 }
 
 }  // namespace
@@ -157,10 +174,11 @@ ChessboardCalibration calibrate_with_chessboards(std::span<const ChessboardView>
                    s.camera.at<double>(0, 2),
                    s.camera.at<double>(1, 2),
                    {k(0), k(1), k(2), k(3), 0}};
-  for (std::size_t i = 0; i < result.sigma.size(); ++i) {
-    result.sigma[i] = s.sigma.at<double>(static_cast<int>(i));
-  }
   result.rms_px = s.rms;
+  const double scale = std::max(1.0, kLeastCornerError / std::max(s.rms, 1e-12));
+  for (std::size_t i = 0; i < result.sigma.size(); ++i) {
+    result.sigma[i] = scale * s.sigma.at<double>(static_cast<int>(i));
+  }
   result.views_used = static_cast<int>(seen.in_image.size());
   int solved = 0;
   for (ChessboardCalibration::ViewFit& view : result.views) {
@@ -170,6 +188,7 @@ ChessboardCalibration calibrate_with_chessboards(std::span<const ChessboardView>
     ++solved;
   }
   check(result);
+  check_tilts(s.rotations);
   return result;
 }
 
