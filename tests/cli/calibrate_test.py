@@ -82,7 +82,7 @@ class WrongUse(program.ProgramTest):
 
     def test_a_bad_camera_is_named_by_line_and_key(self):
         self.refuse(2, "calibrate", "mounting", "text.jpg", "--camera", "bad.yaml", "--lane-width-m", 3.5,
-                    naming="bad.yaml:10: 'lens.fx_px'")
+                    naming="bad.yaml:11: 'lens.fx_px'")
         self.refuse(2, "calibrate", "mounting", "text.jpg", "--camera", "nowhere.yaml", "--lane-width-m", 3.5,
                     naming="nowhere.yaml")
 
