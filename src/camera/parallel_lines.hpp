@@ -23,7 +23,6 @@ struct ParallelLinesConfig {
   double heading_sigma = 0.04;         ///< [rad] of the road against the car
   double curvature_sigma = 1.0 / 800;  ///< [1/m]
   double curvature_rate_sigma = 2e-5;  ///< [1/m^2]
-  double pitch_sigma_least = 0.002;    ///< [rad] of the image's pitch, where the pose claims to know better
   double line_spacing = 0.35;          ///< [m] lines nearer to each other are one
 };
 
