@@ -31,6 +31,7 @@ struct PaintBar {
   int chain = -1;
   double heading = 0;        ///< [rad] of the paint here, from the chain
   double heading_sigma = 0;  ///< [rad] by the bars' own noise
+  bool faint = false;        ///< hardly any of the row is paint
   bool believed = false;
 };
 

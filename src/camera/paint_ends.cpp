@@ -15,8 +15,10 @@ constexpr double kSigmaOfFill = 0.12;       ///< of the share of a row that is p
 constexpr double kSigmaOfShortFill = 0.25;  ///< the same where the chain is too short to show a full row
 constexpr double kSigmaOfShift = 0.25;      ///< share of the shift that may be wrong
 
-constexpr int kLong = 4;            ///< bars of a chain that surely has a full row
-constexpr double kLineReach = 0.6;  ///< [m]
+constexpr double kLeastFill = 0.25;  ///< of a row: with less paint its place is a guess
+constexpr double kShiftMost = 0.8;   ///< of the row's height
+constexpr int kLong = 4;             ///< bars of a chain that surely has a full row
+constexpr double kLineReach = 0.6;   ///< [m]
 
 /// By how many sigma the middle of the upper `fill` of a normal distribution is shifted (Mills's ratio).
 double shift_of(double fill) {
@@ -94,10 +96,13 @@ double PaintEnds::full_paint(const std::vector<PaintBar>& bars, const BarChain& 
 /// `direction`: +1 where the paint lies below the row's middle, in the image.
 void PaintEnds::settle_bar(PaintBar& bar, double full, double direction, bool is_long) const {
   const double view = view_of(bar, blur_px_);
-  const double sigmas = shift_of(paint_of(bar) / full);
+  const double fill = paint_of(bar) / full;
+  const double sigmas = shift_of(fill);
+  bar.faint = fill < kLeastFill;
   const double of_fill = is_long ? kSigmaOfFill : kSigmaOfShortFill;
   bar.row_sigma = view * std::hypot(of_fill, kSigmaOfShift * sigmas);
-  shift(bar, direction * view * sigmas);
+  // Not past the next row of the chain, which lies nearer to the middle of the paint.
+  shift(bar, direction * std::min(view * sigmas, kShiftMost * bar.row_height));
 }
 
 void PaintEnds::settle(std::vector<PaintBar>& bars, std::span<const BarChain> chains,

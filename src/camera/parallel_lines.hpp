@@ -62,7 +62,8 @@ class ParallelLines {
   std::vector<double> offsets_;
 
   [[nodiscard]] double course(double x) const;
-  void fit_slopes(std::span<const LinePiece> pieces, double range, const Eigen::Vector4d& prior);
+  void fit_slopes(std::span<const LinePiece> pieces, double range, double doubt,
+                  const Eigen::Vector4d& prior);
   void gather(std::span<const LinePiece> pieces, double range);
   void fit_places(std::span<const LinePiece> pieces, double range, const Eigen::Vector4d& prior);
 };

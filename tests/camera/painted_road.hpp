@@ -19,8 +19,8 @@ struct PaintedLine {
   double width = 0.15;
   double dash = 0;  ///< [m] of paint; 0 for a solid line
   double gap = 0;
-  double phase = 0;          ///< [m]
-  double brightness = 60;    ///< [grey levels] over the road's
+  double phase = 0;        ///< [m]
+  double brightness = 60;  ///< [grey levels] over the road's
   bool yellow = false;
 };
 
@@ -120,8 +120,8 @@ class RoadPainter {
           seen = ground && ground->x() < 400;
           if (!seen) break;
           x = ground->x();
-          const double y = road.y(line, x) + (side == 0 ? 0.5 : -0.5) * line.width *
-                                                 std::hypot(1, road.course.slope(x));
+          const double y =
+              road.y(line, x) + (side == 0 ? 0.5 : -0.5) * line.width * std::hypot(1, road.course.slope(x));
           const auto pixel = projection.pixel({x, y});
           seen = pixel.has_value();
           if (seen) edges[side] = pixel->x();
@@ -148,7 +148,8 @@ class RoadPainter {
     for (const std::ptrdiff_t step : {std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(width)}) {
       for (std::size_t i = 2 * width; i + 2 * width < pixels.size(); ++i) {
         const float* s = source.data() + i;
-        pixels[i] = kernel[0] * s[0] + kernel[1] * (s[-step] + s[step]) + kernel[2] * (s[-2 * step] + s[2 * step]);
+        pixels[i] =
+            kernel[0] * s[0] + kernel[1] * (s[-step] + s[step]) + kernel[2] * (s[-2 * step] + s[2 * step]);
       }
       source = pixels;
     }
