@@ -10,14 +10,15 @@ namespace {
 
 constexpr float kMostGradient = 30;  ///< grey levels: one bright edge is no more than many
 
-/// Brightness changes along the row: upright edges.
-NumberImage upright_edges(const NumberImage& brightness) {
+/// Brightness changes along the row (upright edges) or down the column (level edges).
+NumberImage edges_of(const NumberImage& brightness, bool level) {
   NumberImage edges(brightness.width, brightness.height);
-  for (int v = 0; v < brightness.height; ++v) {
-    const float* in = brightness.row(v);
+  for (int v = level ? 1 : 0; v + (level ? 1 : 0) < brightness.height; ++v) {
+    const float* before = level ? brightness.row(v - 1) : brightness.row(v) - 1;
+    const float* after = level ? brightness.row(v + 1) : brightness.row(v) + 1;
     float* out = edges.row(v);
     for (int u = 1; u + 1 < brightness.width; ++u)
-      out[u] = std::min(std::abs(in[u + 1] - in[u - 1]), kMostGradient);
+      out[u] = std::min(std::abs(after[u] - before[u]), kMostGradient);
   }
   return edges;
 }
@@ -61,56 +62,114 @@ double SummedImage::mean(const PixelBox& box) const {
 }
 
 double VehicleEvidence::score() const {
-  return 0.3 * shadow + 0.17 * left_edge + 0.17 * right_edge + 0.26 * motion + 0.1 * texture;
+  constexpr double kUsualMotion = 0.4;  // of cars whose lower half is mostly smooth
+  const double sum = 0.3 * shadow + 0.125 * (left_edge + right_edge) + 0.25 * body +
+                     0.2 * std::min(1.0, motion / kUsualMotion);
+  // Nothing on one side is no car, whatever else there is.
+  return sum * (0.4 + 0.6 * std::min(left_edge, right_edge));
 }
 
 VehicleCues::VehicleCues(const NumberImage& brightness, const NumberImage& residual)
     : brightness_(brightness),
-      upright_(upright_edges(brightness)),
+      upright_(edges_of(brightness, false)),
+      level_(edges_of(brightness, true)),
       residual_(residual),
       has_residual_(!residual.values.empty()) {}
 
-/// An upright edge in the lower half of a box: strong on it, weak on the road just outside.
+/// An upright edge in the lower half of a box: strong on it, weak on what is just outside, which looks like
+/// the road before the box and not like the next car.
 double VehicleCues::edge(const PixelBox& box, double column, double outward) const {
   const double top = box.top + 0.4 * box.height();
   const double bottom = box.bottom - 0.08 * box.height();
   const double wide = std::max(1.0, 0.05 * box.height());
   const double on = upright_.mean({column - wide, top, column + wide, bottom});
-  const double far = outward * (0.25 * box.height() + 3);
+  const double far = outward * (0.3 * box.height() + 3);
   const double near = outward * (wide + 1);
-  const double off = upright_.mean({column + std::min(far, near), top, column + std::max(far, near), bottom});
-  constexpr double kClear = 12;  // grey levels
-  return clamped((on - off) / kClear);
+  const double left = column + std::min(far, near);
+  const double right = column + std::max(far, near);
+  constexpr double kClear = 12;       // grey levels
+  constexpr double kSameRoad = 8;     // grey levels
+  constexpr double kOtherThing = 30;  // grey levels, and half the road's
+  const double road =
+      brightness_.mean({box.left, box.bottom + 1, box.right, box.bottom + 1 + 0.2 * box.height()});
+  const double outside = brightness_.mean({left, box.bottom - 0.45 * box.height(), right, box.bottom});
+  const double other = clamped((std::abs(outside - road) - kSameRoad) / (kOtherThing + 0.3 * road));
+  return clamped((on - upright_.mean({left, top, right, bottom})) / kClear) * (1 - other);
 }
 
-VehicleEvidence VehicleCues::evidence(const VehicleShape& shape) const {
-  const PixelBox& box = shape.box;
-  const double height = box.height();
+double VehicleCues::shadow(const VehicleShape& shape) const {
   // The base line runs level along the rear only; of a car whose rear is beside the image all that is seen.
+  const PixelBox& box = shape.box;
+  constexpr double kLeastRear = 4;  // [px]
   double left = std::max(shape.rear_left, box.left);
   double right = std::min(shape.rear_right, box.right);
-  if (right - left < 4) {
+  if (right - left < kLeastRear) {
     left = box.left;
     right = box.right;
   }
   const double inset = 0.12 * (right - left);
-  left += inset;
-  right -= inset;
-  const double strip = std::max(1.5, 0.1 * height);
-  VehicleEvidence evidence;
-  const double dark = brightness_.mean({left, box.bottom - strip, right, box.bottom});
-  const double road = brightness_.mean({left, box.bottom + 1, right, box.bottom + 1 + strip});
+  const double strip = std::max(1.5, 0.1 * box.height());
+  const double dark = brightness_.mean({left + inset, box.bottom - strip, right - inset, box.bottom});
+  const double road = brightness_.mean({left + inset, box.bottom + 1, right - inset, box.bottom + 1 + strip});
   constexpr double kGrey = 8;
-  evidence.shadow = clamped((road - dark) / (0.45 * road + kGrey));
-  evidence.left_edge = shape.left_cut ? 0.3 : edge(box, box.left, -1);
-  evidence.right_edge = shape.right_cut ? 0.3 : edge(box, box.right, 1);
+  return clamped((road - dark) / (0.45 * road + kGrey));
+}
+
+VehicleEvidence VehicleCues::evidence(const VehicleShape& shape) const {
+  constexpr double kUnknownEdge = 0.7;    // cut by the image's edge
+  constexpr double kUnknownMotion = 0.2;  // in a first image
+  constexpr double kBreaks = 0.8;         // of a texture's contrast
+  constexpr double kBusy = 14;            // grey levels
+  const PixelBox& box = shape.box;
+  const double height = box.height();
   const PixelBox lower{box.left, box.top + 0.45 * height, box.right, box.bottom};
-  const PixelBox before{box.left, box.bottom + 1, box.right, box.bottom + 1 + 0.25 * height};
-  constexpr double kBreaks = 0.8;  // of a texture's contrast
-  if (has_residual_) evidence.motion = clamped((residual_.mean(lower) - residual_.mean(before)) / kBreaks);
-  constexpr double kBusy = 8;  // grey levels
-  evidence.texture = clamped((upright_.mean(lower) - upright_.mean(before)) / kBusy);
+  const PixelBox middle{box.left + 0.25 * box.width(), box.top + 0.3 * height, box.right - 0.25 * box.width(),
+                        box.bottom - 0.12 * height};
+  const PixelBox before{box.left, box.bottom + 2, box.right, box.bottom + 2 + 0.25 * height};
+  VehicleEvidence evidence;
+  evidence.shadow = shadow(shape);
+  evidence.left_edge = shape.left_cut ? kUnknownEdge : edge(box, box.left, -1);
+  evidence.right_edge = shape.right_cut ? kUnknownEdge : edge(box, box.right, 1);
+  evidence.motion =
+      has_residual_ ? clamped((residual_.mean(lower) - residual_.mean(before)) / kBreaks) : kUnknownMotion;
+  const auto busy = [this](const PixelBox& part) { return upright_.mean(part) + level_.mean(part); };
+  evidence.body = clamped((busy(middle) - busy(before)) / kBusy);
   return evidence;
+}
+
+VehicleShape VehicleCues::refined(VehicleShape shape) const {
+  double best = evidence(shape).score();
+  const auto try_all = [&](double step, auto move) {
+    VehicleShape kept = shape;
+    for (int i = -4; i <= 4; ++i) {
+      VehicleShape moved = shape;
+      move(moved, i * step);
+      const double score = evidence(moved).score();
+      if (score <= best) continue;
+      best = score;
+      kept = moved;
+    }
+    shape = kept;
+  };
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round) {
+    const double across = std::max(1.0, 0.03 * shape.box.width());
+    if (!shape.left_cut) {
+      try_all(across, [](VehicleShape& moved, double by) {
+        moved.box.left += by;
+        moved.rear_left += by;
+      });
+    }
+    if (!shape.right_cut) {
+      try_all(across, [](VehicleShape& moved, double by) {
+        moved.box.right += by;
+        moved.rear_right += by;
+      });
+    }
+    try_all(std::max(0.5, 0.02 * shape.box.height()),
+            [](VehicleShape& moved, double by) { moved.box.bottom += by; });
+  }
+  return shape;
 }
 
 }  // namespace lanefuse

@@ -27,7 +27,7 @@ struct VehicleEvidence {
   double left_edge = 0;   ///< upright
   double right_edge = 0;  ///< upright
   double motion = 0;      ///< does not move as the road does
-  double texture = 0;     ///< more to see than on the road before it
+  double body = 0;        ///< something to see in the middle of it, more than on the road before it
 
   [[nodiscard]] double score() const;
 };
@@ -40,9 +40,16 @@ class VehicleCues {
   VehicleCues(const NumberImage& brightness, const NumberImage& residual);
   [[nodiscard]] VehicleEvidence evidence(const VehicleShape& shape) const;
 
+  /// The shadow alone, which tells most and costs least.
+  [[nodiscard]] double shadow(const VehicleShape& shape) const;
+
+  /// The shape with its box's left, right and lower edges moved a little to where they fit best.
+  [[nodiscard]] VehicleShape refined(VehicleShape shape) const;
+
  private:
   SummedImage brightness_;
   SummedImage upright_;
+  SummedImage level_;
   SummedImage residual_;
   bool has_residual_;
 

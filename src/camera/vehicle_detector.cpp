@@ -15,10 +15,27 @@
 namespace lanefuse {
 namespace {
 
-constexpr int kImageColumns = 640;        ///< [px] that images are reduced to
-constexpr double kLeastScore = 0.45;      ///< of a box
+constexpr int kImageColumns = 640;  ///< [px] that images are reduced to
+constexpr double kLeastShadow = 0.4;
+constexpr double kLeastScore = 0.35;      ///< of a box on the grid
+constexpr double kRefinedScore = 0.5;     ///< of a box whose edges have been refined
+constexpr double kSimilar = 0.5;          ///< overlap of two boxes on the grid that show the same
 constexpr double kMostOverlap = 0.15;     ///< of two boxes in one image
 constexpr double kReviewedPitch = 0.002;  ///< [rad] of a change that makes the shapes wrong
+
+/// The best ones, none overlapping a better one more than `most`.
+std::vector<FoundVehicle> without_overlap(std::vector<FoundVehicle> all, double most) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const FoundVehicle& a, const FoundVehicle& b) { return a.score > b.score; });
+  std::vector<FoundVehicle> kept;
+  for (const FoundVehicle& candidate : all) {
+    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const FoundVehicle& better) {
+      return overlap(better.shape.box, candidate.shape.box) > most;
+    });
+    if (!covered) kept.push_back(candidate);
+  }
+  return kept;
+}
 
 }  // namespace
 
@@ -106,19 +123,17 @@ NumberImage VehicleDetector::State::residual(const Input& input, const NumberIma
 std::vector<FoundVehicle> VehicleDetector::State::found(const VehicleCues& cues) const {
   std::vector<FoundVehicle> all;
   for (const VehicleShape& shape : shapes_) {
+    if (cues.shadow(shape) < kLeastShadow) continue;
     const double score = cues.evidence(shape).score();
     if (score >= kLeastScore) all.push_back({shape, score});
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const FoundVehicle& a, const FoundVehicle& b) { return a.score > b.score; });
   std::vector<FoundVehicle> kept;
-  for (const FoundVehicle& candidate : all) {
-    const bool covered = std::any_of(kept.begin(), kept.end(), [&](const FoundVehicle& better) {
-      return overlap(better.shape.box, candidate.shape.box) > kMostOverlap;
-    });
-    if (!covered) kept.push_back(candidate);
+  for (const FoundVehicle& candidate : without_overlap(std::move(all), kSimilar)) {
+    const VehicleShape shape = cues.refined(candidate.shape);
+    const double score = cues.evidence(shape).score();
+    if (score >= kRefinedScore) kept.push_back({shape, score});
   }
-  return kept;
+  return without_overlap(std::move(kept), kMostOverlap);
 }
 
 void VehicleDetector::State::report() {
