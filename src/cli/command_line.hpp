@@ -48,6 +48,7 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
 void add_benchmark(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_map(CommandLine& line);
+void add_overlay(CommandLine& line);
 void add_simulate(CommandLine& line);
 
 /// The subcommands of `map` that make maps of drives and use them.
