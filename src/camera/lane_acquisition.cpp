@@ -121,7 +121,7 @@ std::optional<Gaussian<LaneState::kSize>> LaneAcquisition::find(const EdgeScene&
   found.mean[LaneState::kOffset] = (best.left + best.right) / 2;
   found.mean[LaneState::kWidth] = best.left - best.right - kPaint;
   LaneState::Vector sigma;
-  sigma << 0.15, 0.25, 0.008, 5e-4, 5e-6, 0.006, 4e-5;
+  sigma << 0.15, 0.25, 0.008, 5e-4, 5e-6, 0.006, 4e-5, 0.02;
   found.covariance = sigma.cwiseAbs2().asDiagonal();
   return found;
 }

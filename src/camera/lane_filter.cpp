@@ -69,6 +69,7 @@ std::optional<EdgeResidual> edge_residual(const RoadSight& sight, const RoadSigh
   j[State::kCurvatureRate] = x * x * x / 6;
   j[State::kPitch] = -across(landing->per_pitch);
   j[State::kVerticalCurvature] = -across(landing->per_vertical_curvature);
+  j[State::kDrift] = 0;
   j /= per_column;
   return residual;
 }
@@ -80,6 +81,7 @@ void LaneFilter::predict(double seconds, double speed, double yaw_rate) {
   move(State::kOffset, State::kHeading) = way;
   move(State::kOffset, State::kCurvature) = way * way / 2;
   move(State::kOffset, State::kCurvatureRate) = way * way * way / 6;
+  move(State::kOffset, State::kDrift) = way;
   move(State::kHeading, State::kCurvature) = way;
   move(State::kHeading, State::kCurvatureRate) = way * way / 2;
   const double rate_kept = std::exp(-way / config_.curvature_rate_length);
@@ -98,9 +100,32 @@ void LaneFilter::predict(double seconds, double speed, double yaw_rate) {
   noise[State::kPitch] = wandered(config_.pitch_sigma, config_.pitch_tau, seconds);
   noise[State::kVerticalCurvature] =
       wandered(config_.vertical_curvature_sigma, config_.vertical_curvature_length, way);
+  noise[State::kDrift] = walked(config_.drift_walk, seconds);
   lanefuse::predict<State::kSize>(state_, move, noise.asDiagonal().toDenseMatrix());
   state_.mean[State::kOffset] -= way * turn / 2;
   state_.mean[State::kHeading] -= turn;
+}
+
+void LaneFilter::correct_pose(double pitch, double yaw, double height_ratio) {
+  state_.mean[State::kPitch] -= pitch;
+  state_.mean[State::kHeading] += yaw;
+  state_.mean[State::kDrift] -= yaw;
+  state_.mean[State::kOffset] *= height_ratio;
+  state_.mean[State::kWidth] *= height_ratio;
+}
+
+void LaneFilter::cross_marking(Side side, double marking_width) {
+  constexpr double kWidthSigma = 0.2;  // [m] by which neighbouring lanes differ
+  const double outward = sign_of(side);
+  State::Matrix move = State::Matrix::Identity();
+  move(State::kOffset, State::kWidth) = outward;
+  state_.mean[State::kOffset] += outward * (state_.mean[State::kWidth] + marking_width);
+  state_.covariance = (move * state_.covariance * move.transpose()).eval();
+  // The new width moves the middle by its half.
+  State::Vector by_width = State::Vector::Zero();
+  by_width[State::kWidth] = kWidthSigma;
+  by_width[State::kOffset] = outward * kWidthSigma / 2;
+  state_.covariance += by_width * by_width.transpose();
 }
 
 double LaneFilter::noise(const EdgeResidual& residual) const {

@@ -24,7 +24,9 @@ struct LaneState {
   static constexpr int kCurvatureRate = 4;      ///< [1/m^2]
   static constexpr int kPitch = 5;              ///< [rad] on top of the pose's
   static constexpr int kVerticalCurvature = 6;  ///< [1/m]
-  static constexpr int kSize = 7;
+  /// [rad] by which the car seems to drive past where it looks: what the pose's yaw is off, and slip.
+  static constexpr int kDrift = 7;
+  static constexpr int kSize = 8;
   using Vector = Eigen::Matrix<double, kSize, 1>;
   using RowVector = Eigen::Matrix<double, 1, kSize>;
   using Matrix = Eigen::Matrix<double, kSize, kSize>;
@@ -62,7 +64,8 @@ struct LaneFilterConfig {
   double vertical_curvature_sigma = 4e-5;
   double vertical_curvature_length = 150;  ///< [m]
   double width_walk = 0.02;                ///< [m] in 1 s
-  double offset_walk = 0.10;               ///< [m] in 1 s
+  double offset_walk = 0.05;               ///< [m] in 1 s
+  double drift_walk = 0.003;               ///< [rad] in 1 s
   double heading_walk = 0.008;             ///< [rad] in 1 s
   double curvature_walk = 1.0e-4;          ///< [1/m] in 100 m, on top of the rate
   double curvature_rate_sigma = 6e-6;      ///< [1/m^2]
@@ -79,6 +82,13 @@ class LaneFilter {
 
   /// Moves the lane by the car's motion: `seconds` with `speed` [m/s] and `yaw_rate` [rad/s].
   void predict(double seconds, double speed, double yaw_rate);
+
+  /// The pose that is handed in has been corrected by so much [rad, rad, 1]; the picture has not changed.
+  void correct_pose(double pitch, double yaw, double height_ratio);
+
+  /// The car has crossed the marking of `side`, which is `marking_width` [m] wide: the lane beyond it is the
+  /// ego lane now, as wide as the old one as far as is known.
+  void cross_marking(Side side, double marking_width);
 
   /// Variance of an edge's column [px^2].
   [[nodiscard]] double noise(const EdgeResidual& residual) const;

@@ -10,6 +10,7 @@
 #include "camera/edge_search.hpp"
 #include "camera/lane_acquisition.hpp"
 #include "camera/lane_filter.hpp"
+#include "camera/marking_sight.hpp"
 #include "camera/paint_memory.hpp"
 
 namespace lanefuse {
@@ -43,18 +44,8 @@ LaneFilterConfig filter_config(const LaneTrackerConfig& config) {
   return filter;
 }
 
-/// How far and how well one marking is seen.
-struct SideSight {
-  double begin = 0;    ///< [m]
-  double end = 0;      ///< [m]
-  double support = 0;  ///< part of the windows up to `end` in which paint was found
-  int found = 0;
-  int open = 0;  ///< windows with bars of which none fitted
-};
-
-/// Dashed markings have gaps of up to 12 m, of which a rut or a shadow may hide an end.
-constexpr double kLargestGap = 20;  ///< [m]
-constexpr double kPatience = 0.7;   ///< [s] a side or a lane is believed without being seen
+constexpr double kUsualPaint = 0.12;  ///< [m]
+constexpr double kPatience = 0.7;     ///< [s] a side or a lane is believed without being seen
 
 }  // namespace
 
@@ -88,7 +79,7 @@ struct LaneTracker::Parts {
   NeighbourMarkings neighbours;
   LaneFilter::Fit fit;
   std::array<PaintMemory, 2> paint;
-  std::array<SideSight, 2> sights{};
+  std::array<MarkingSight, 2> sights{};
   std::array<double, 2> unseen{};  ///< [s] since each side was seen
   LaneTrack track;
   CameraPose last_pose;
@@ -97,10 +88,7 @@ struct LaneTracker::Parts {
 
   void run(const Input& input);
   void advance(const Input& input);
-  void correct_for(const CameraPose& pose);
   bool measure(const EdgeScene& scene);
-  void judge_sides();
-  void remember_paint();
   void change_lane();
   void change_status(bool good, double seconds);
   void lose();
@@ -108,21 +96,12 @@ struct LaneTracker::Parts {
   [[nodiscard]] std::optional<ClothoidMeasurement> edge(Side side, const CameraPose& pose) const;
 };
 
-/// The pose that is handed in is learned too: where it changes, the picture does not.
-void LaneTracker::Parts::correct_for(const CameraPose& pose) {
-  LaneState::Vector& mean = filter.state().mean;
-  mean[LaneState::kPitch] -= pose.mounting.pitch - last_pose.mounting.pitch;
-  mean[LaneState::kHeading] += pose.mounting.yaw - last_pose.mounting.yaw;
-  if (last_pose.mounting.z > 0) {
-    const double scale = pose.mounting.z / last_pose.mounting.z;
-    mean[LaneState::kOffset] *= scale;
-    mean[LaneState::kWidth] *= scale;
-  }
-}
-
 void LaneTracker::Parts::advance(const Input& input) {
   const double seconds = std::clamp(to_seconds(input.time - track.measured_at), 0.0, 1.0);
-  correct_for(input.pose);
+  // The pose is learned too: where it changes, the picture does not.
+  const Mounting& was = last_pose.mounting;
+  const Mounting& is = input.pose.mounting;
+  filter.correct_pose(is.pitch - was.pitch, is.yaw - was.yaw, was.z > 0 ? is.z / was.z : 1);
   filter.predict(seconds, input.speed, input.yaw_rate);
   for (PaintMemory& memory : paint) memory.move(input.speed * seconds);
 }
@@ -130,7 +109,7 @@ void LaneTracker::Parts::advance(const Input& input) {
 bool LaneTracker::Parts::measure(const EdgeScene& scene) {
   search.search(scene, filter);
   filter.update(*scene.sight, search.edges(), fit);
-  judge_sides();
+  for (std::size_t s = 0; s < 2; ++s) sights[s] = judge_marking(search, fit, kSides[s]);
   const LaneState::Vector& mean = filter.state().mean;
   const double width = mean[LaneState::kWidth];
   if (width < config.lane_width_min || width > config.lane_width_max) return false;
@@ -140,78 +119,15 @@ bool LaneTracker::Parts::measure(const EdgeScene& scene) {
   return found >= kLeast && found > open;
 }
 
-void LaneTracker::Parts::judge_sides() {
-  sights = {};
-  std::array<bool, 2> over{};
-  std::array<int, 2> looked{};
-  std::array<int, 2> looked_to_end{};
-  for (const SearchedWindow& window : search.windows()) {
-    const std::size_t s = index_of(window.side);
-    SideSight& sight = sights[s];
-    bool found = false;
-    for (int i = window.first_edge; i < window.first_edge + window.edge_count; ++i) {
-      found = found || fit.inlier[static_cast<std::size_t>(i)];
-    }
-    if (window.hidden || over[s]) continue;
-    ++looked[s];
-    if (window.edge_count > 0 && !found) ++sight.open;
-    const double from = sight.found == 0 ? config.nearest : sight.end;
-    if (window.distance - from > kLargestGap) over[s] = true;
-    if (!found || over[s]) continue;
-    if (sight.found == 0) sight.begin = window.distance;
-    sight.end = window.distance;
-    ++sight.found;
-    looked_to_end[s] = looked[s];
-  }
-  for (std::size_t s = 0; s < 2; ++s) {
-    sights[s].support = looked_to_end[s] > 0 ? static_cast<double>(sights[s].found) / looked_to_end[s] : 0;
-  }
-}
-
-void LaneTracker::Parts::remember_paint() {
-  constexpr double kSharpWidth = 6;   // [px]
-  constexpr double kSharpRange = 25;  // [m]
-  for (const SearchedWindow& window : search.windows()) {
-    if (window.hidden) continue;
-    PaintMemory& memory = paint[index_of(window.side)];
-    bool found = false;
-    for (int i = window.first_edge; i < window.first_edge + window.edge_count; ++i) {
-      const auto number = static_cast<std::size_t>(i);
-      if (!fit.inlier[number]) continue;
-      found = true;
-      const PaintBar& bar = search.bar(number);
-      const double pixels = bar.right - bar.left;
-      const bool sharp = pixels > kSharpWidth && window.distance < kSharpRange;
-      memory.note(bar.yellow, sharp ? std::optional(pixels * window.metres_per_pixel) : std::nullopt);
-      break;
-    }
-    memory.look(window.distance, found);
-  }
-}
-
 /// The car's origin has crossed a marking: what was one side's marking is now the other's.
 void LaneTracker::Parts::change_lane() {
-  Gaussian<LaneState::kSize>& state = filter.state();
-  const double offset = state.mean[LaneState::kOffset];
-  const double half = state.mean[LaneState::kWidth] / 2;
+  const LaneState::Vector& mean = filter.state().mean;
   constexpr double kHysteresis = 0.1;  // [m]
-  const double beyond = half + kHysteresis;
-  if (std::abs(offset) < beyond) return;
-  const bool to_left = offset < 0;  // the lane's middle is to the right of the car
-  const std::size_t crossed = to_left ? 0 : 1;
-  const double crossed_width = paint[crossed].width().value_or(0.12);
-  const double shift = state.mean[LaneState::kWidth] + crossed_width;
-  // The new lane is as wide as the old one, as far as is known.
-  constexpr double kNewWidthSigma = 0.2;  // [m]
-  LaneState::Matrix move = LaneState::Matrix::Identity();
-  move(LaneState::kOffset, LaneState::kWidth) = to_left ? 1 : -1;
-  state.covariance = move * state.covariance * move.transpose();
-  state.mean[LaneState::kOffset] += to_left ? shift : -shift;
-  const double half_sigma = kNewWidthSigma / 2 * (to_left ? 1 : -1);
-  state.covariance(LaneState::kOffset, LaneState::kOffset) += half_sigma * half_sigma;
-  state.covariance(LaneState::kWidth, LaneState::kWidth) += kNewWidthSigma * kNewWidthSigma;
-  state.covariance(LaneState::kOffset, LaneState::kWidth) += half_sigma * kNewWidthSigma;
-  state.covariance(LaneState::kWidth, LaneState::kOffset) += half_sigma * kNewWidthSigma;
+  if (std::abs(mean[LaneState::kOffset]) < mean[LaneState::kWidth] / 2 + kHysteresis) return;
+  // The lane's middle is to the right of a car that has left it to the left.
+  const Side side = mean[LaneState::kOffset] < 0 ? Side::left : Side::right;
+  const std::size_t crossed = index_of(side);
+  filter.cross_marking(side, paint[crossed].width().value_or(kUsualPaint));
   paint[1 - crossed] = paint[crossed];
   paint[crossed].forget();
   unseen[1 - crossed] = unseen[crossed];
@@ -250,13 +166,15 @@ void LaneTracker::Parts::run(const Input& input) {
   scene.image = input.image;
   scene.sight = &sight;
   scene.vehicles = input.vehicles;
-  for (std::size_t s = 0; s < 2; ++s) scene.marking_widths[s] = paint[s].width().value_or(0.12);
+  for (std::size_t s = 0; s < 2; ++s) scene.marking_widths[s] = paint[s].width().value_or(kUsualPaint);
   track.lane_changed = false;
   const double seconds = std::max(0.0, to_seconds(input.time - track.measured_at));
   if (track.status == LaneTrackStatus::lost) {
     const auto found = acquisition.find(scene);
     if (found) {
+      const double drift = filter.state().mean[LaneState::kDrift];
       filter.state() = *found;
+      filter.state().mean[LaneState::kDrift] = drift;
       track.status = LaneTrackStatus::acquiring;
     }
   } else {
@@ -266,7 +184,7 @@ void LaneTracker::Parts::run(const Input& input) {
   last_pose = input.pose;
   if (track.status != LaneTrackStatus::lost) {
     const bool good = measure(scene);
-    if (good) remember_paint();
+    if (good) remember_paint(search, fit, paint);
     change_status(good, seconds);
     if (track.status != LaneTrackStatus::lost) change_lane();
   }
@@ -327,17 +245,7 @@ void LaneTracker::Parts::write(const EdgeScene& scene, const CameraPose& pose) {
     track.right_neighbour = neighbours.measure(scene, mean, Side::right);
   }
   track.windows.clear();
-  if (track.status == LaneTrackStatus::lost) return;
-  for (const SearchedWindow& searched : search.windows()) {
-    SearchWindow window{searched.row, searched.left, searched.right, searched.side, false, 0};
-    for (int i = searched.first_edge; i < searched.first_edge + searched.edge_count; ++i) {
-      const auto number = static_cast<std::size_t>(i);
-      if (!fit.inlier[number]) continue;
-      window.found = true;
-      window.column = search.edges()[number].column;
-    }
-    track.windows.push_back(window);
-  }
+  if (track.status != LaneTrackStatus::lost) list_windows(search, fit, track.windows);
 }
 
 LaneTracker::LaneTracker(const CameraIntrinsics& intrinsics, const LaneTrackerConfig& config)

@@ -24,9 +24,9 @@ struct MarkingExtractorConfig {
   double radius_min = 400;       ///< [m] of the tightest bend
   double contrast_min = 6;       ///< [grey levels of 255] of paint against the road
   double contrast_to_noise = 4;  ///< least step at an edge over the row's own noise
-  double noise_floor_px = 0.1;   ///< [px] what remains of a bar's error where noise is nil: ragged paint, lens
-  double ragged_paint = 0.004;   ///< [m] by which the middle of real paint wanders
-  bool learn_still = true;       ///< learn what never moves in the image (bonnet, reflections), and mask it
+  double noise_floor_px = 0.1;  ///< [px] what remains of a bar's error where noise is nil: ragged paint, lens
+  double ragged_paint = 0.004;  ///< [m] by which the middle of real paint wanders
+  bool learn_still = true;      ///< learn what never moves in the image (bonnet, reflections), and mask it
 };
 
 /// The paper's high-resolution marking features [IROS16, sec. II-B]: short pieces of paint anywhere on the

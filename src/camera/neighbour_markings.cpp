@@ -74,6 +74,8 @@ std::optional<NeighbourWidth> NeighbourMarkings::measure(const EdgeScene& scene,
   // A marking is seen in several rows, and most of what was found is it.
   constexpr double kLeast = 4;
   if (most < kLeast || most < 0.6 * static_cast<double>(count)) return {};
+  // At the ends of what was searched stands the flank of something wider.
+  if (best < 2 || best + kPeak > kBins - 2) return {};
   const double begin = kNarrowest + best * kBin;
   double sum = 0;
   double squares = 0;

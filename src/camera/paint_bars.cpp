@@ -108,7 +108,7 @@ std::span<const PaintBar> PaintBarFinder::find(const ImageView& image, const Bar
     // Colour is stored at half the resolution by almost every codec: yellow bars are a little wider.
     const std::size_t yellow_count =
         pair_edges({yellow_.data(), end - begin, std::max(reach, 2)}, {query.narrowest, query.widest + 2},
-                   1.5 * query.contrast, yellow_bars_);
+                   query.contrast, yellow_bars_);
     mark_yellow(count, yellow_count);
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -10,6 +10,7 @@
 #include "cli/benchmark_results_command.hpp"
 #include "cli/camera_benchmark_command.hpp"
 #include "cli/command_line.hpp"
+#include "cli/label_benchmark_command.hpp"
 
 namespace lanefuse {
 namespace {
@@ -91,6 +92,26 @@ void add_cameras(CLI::App& benchmark, CommandLine& line) {
   finish(command, line, options, benchmark_cameras);
 }
 
+void add_labels(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<LabelBenchmarkOptions>();
+  CLI::App& command = *benchmark.add_subcommand(
+      "labels", "fuse a drive with images, and compare it with what people marked in some of them");
+  command.add_option("drive", options.drive, "the recorded drive (.mcap)")->required();
+  command.add_option("--labels", options.labels, "what was marked (.json)")->required();
+  command.add_option("--clip", options.clip, "whose labels of the file they are, else the drive's name");
+  command.add_option("--tolerance-px", options.tolerance.pixels, "between a label and the estimated line")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command.add_option("--range-m", options.tolerance.range, "up to which labels count")
+      ->check(CLI::Range(5.0, 150.0))
+      ->capture_default_str();
+  command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
+  command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
+      ->expected(1)
+      ->take_all();
+  finish(command, line, options, benchmark_labels);
+}
+
 }  // namespace
 
 void add_benchmark(CommandLine& line) {
@@ -107,6 +128,7 @@ void add_benchmark(CommandLine& line) {
   CLI::Option* list = command.add_flag("--list", options.list, "name the drives and stop");
   command.add_flag("--no-times", options.no_times, "leave out wall-clock times: equal runs, equal bytes");
   add_cameras(command, line);
+  add_labels(command, line);
   add_merge(command, line);
   add_table(command, line);
   add_compare(command, line);

@@ -11,9 +11,10 @@ namespace {
 void add_replay(CLI::App& command, ReplayOptions& replay) {
   CLI::Option* file = command.add_option("--commonroad", replay.scenario,
                                          "replay the traffic recorded in a CommonRoad scenario (.xml)");
-  for (const char* other : {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios",
-                            "--traffic", "--gnss-ins", "--road-seed", "--lane", "--ego-lane-changes",
-                            "--no-serial-camera", "--no-high-resolution-camera", "--no-objects"}) {
+  for (const char* other :
+       {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios", "--traffic", "--gnss-ins",
+        "--road-seed", "--lane", "--ego-lane-changes", "--images", "--no-serial-camera",
+        "--no-high-resolution-camera", "--no-objects"}) {
     file->excludes(command.get_option(other));
   }
   command
@@ -83,6 +84,11 @@ void add_simulate(CommandLine& line) {
           "whether the car changes its lane")
       ->check(CLI::IsMember({"on", "off"}))
       ->default_str("on");
+  command
+      .add_option_function<std::string>(
+          "--images", [&config](const std::string& word) { config.images = image_conditions(word); },
+          "let the cameras hand over rendered images, under these conditions")
+      ->check(CLI::IsMember({"clear", "low-sun", "wet", "night"}));
   leave_out("--no-serial-camera", config.serial_camera, "serial camera");
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
   leave_out("--no-objects", config.objects, "object lists");

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "camera/camera_model.hpp"
 #include "camera/image.hpp"
 #include "sensors/camera_view.hpp"
+#include "simulation/camera_chip.hpp"
 #include "simulation/image_conditions.hpp"
+#include "simulation/road_surface.hpp"
 #include "simulation/scene.hpp"
 
 namespace lanefuse {
@@ -40,6 +43,9 @@ class CameraRenderer {
  private:
   CameraModel camera_;
   RenderConfig config_;
+  ImageLight light_;
+  std::shared_ptr<const SurfaceTextures> textures_;
+  CameraChip chip_;
 };
 
 }  // namespace lanefuse

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "simulation/camera_image_model.hpp"
 #include "simulation/gnss_ins_model.hpp"
 #include "simulation/high_resolution_camera_model.hpp"
 #include "simulation/object_list_model.hpp"
@@ -55,18 +56,32 @@ DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPre
 
 void DriveSimulation::add_sensors() {
   const std::uint64_t seed = config_.seed;
-  const Scenario::SensorsPart& there = config_.scenario.sensors;
   add_sensor(std::make_unique<OdometryModel>(preset_.odometry, seed));
-  if (config_.serial_camera && there.serial_camera) {
-    add_sensor(std::make_unique<SerialCameraModel>(preset_, seed));
-  }
-  if (config_.high_resolution_camera && there.high_resolution_camera) {
-    add_sensor(std::make_unique<HighResolutionCameraModel>(preset_, seed));
-  }
-  if (config_.objects && there.objects) add_sensor(std::make_unique<ObjectListModel>(preset_, seed));
+  add_cameras();
+  if (config_.objects && config_.scenario.sensors.objects)
+    add_sensor(std::make_unique<ObjectListModel>(preset_, seed));
   if (config_.gnss_ins && drive_road_->origin) {
     add_sensor(std::make_unique<GnssInsModel>(preset_.gnss_ins, *drive_road_->origin, seed));
   }
+}
+
+void DriveSimulation::add_cameras() {
+  const std::uint64_t seed = config_.seed;
+  const bool serial = config_.serial_camera && config_.scenario.sensors.serial_camera;
+  const bool high_resolution =
+      config_.high_resolution_camera && config_.scenario.sensors.high_resolution_camera;
+  if (!config_.images) {
+    if (serial) add_sensor(std::make_unique<SerialCameraModel>(preset_, seed));
+    if (high_resolution) add_sensor(std::make_unique<HighResolutionCameraModel>(preset_, seed));
+    return;
+  }
+  const auto body = std::make_shared<BodyMotion>(seed);
+  const RenderConfig render{.conditions = *config_.images, .seed = seed};
+  const auto add_camera = [&](const CameraImageModel::Setup& setup) {
+    add_sensor(std::make_unique<CameraImageModel>(setup, preset_.camera_pose, body, render));
+  };
+  if (serial) add_camera(serial_camera_setup(preset_));
+  if (high_resolution) add_camera(high_resolution_camera_setup(preset_));
 }
 
 void DriveSimulation::add_sensor(std::unique_ptr<SensorModel> sensor) {
@@ -90,6 +105,7 @@ DriveInfo DriveSimulation::info() const {
   if (config_.scenario.name != Scenario{}.name) name += fmt::format(", {}", config_.scenario.name);
   if (config_.road_seed) name += fmt::format(", road seed {}", *config_.road_seed);
   if (config_.ego_lane) name += fmt::format(", lane {}", *config_.ego_lane + 1);
+  if (config_.images) name += fmt::format(", images, {}", to_string(*config_.images));
   DriveInfo info{name, preset_.hash, WitnessRule::radar_and_camera};
   if (config_.gnss_ins) info.origin = drive_road_->origin;
   return info;

@@ -11,6 +11,7 @@
 #include "sensors/measurement.hpp"
 #include "sensors/truth.hpp"
 #include "simulation/drive_road.hpp"
+#include "simulation/image_conditions.hpp"
 #include "simulation/preset.hpp"
 #include "simulation/road_as_map.hpp"
 #include "simulation/scenario.hpp"
@@ -31,7 +32,9 @@ struct SimulationConfig {
   std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
   std::optional<int> ego_lane;             ///< to start in, from the left, from zero; else the middle one
   bool ego_lane_changes = true;            ///< whether the ego car may leave its lane
-  bool sumo = false;                       ///< SUMO's traffic instead of the built-in drivers
+  /// The cameras hand over rendered images instead of what they found in them.
+  std::optional<ImageConditions> images;
+  bool sumo = false;  ///< SUMO's traffic instead of the built-in drivers
   Scenario scenario;  ///< the nominal one, if nothing is said; what it leaves out is off, too
 };
 
@@ -67,6 +70,7 @@ class DriveSimulation {
   bool over_ = false;
 
   void add_sensors();
+  void add_cameras();
   void add_sensor(std::unique_ptr<SensorModel> sensor);
 };
 

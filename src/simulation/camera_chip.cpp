@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/camera_chip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr float kVignette = 0.28F;  ///< of the light is lost at a corner
+
+std::uint64_t mixed(std::uint64_t key) {
+  key = (key ^ (key >> 31)) * 0x9fb21c651e98df25ULL;
+  return key ^ (key >> 29);
+}
+
+}  // namespace
+
+CameraChip::CameraChip(const Setup& setup) : setup_(setup) {
+  const double shoulder = setup.blur_px > 0 ? std::exp(-1 / (2 * setup.blur_px * setup.blur_px)) : 0;
+  beside_ = static_cast<float>(shoulder / (1 + 2 * shoulder));
+  Random random(setup.seed, "noise of a chip");
+  const double sigma = setup.noise ? setup.light.noise : 0;
+  noise_.resize(kNoiseCount);
+  for (Colour& noise : noise_) {
+    for (int i = 0; i < 3; ++i) noise[i] = static_cast<float>(random.normal(sigma));
+    noise[3] = 0;
+  }
+  for (int i = 0; i <= kTones; ++i) {
+    const double root = static_cast<double>(i) / kTones;
+    tones_[static_cast<std::size_t>(i)] =
+        static_cast<std::uint8_t>(std::lround(255 * std::pow(root, 2 / 2.2)));
+  }
+}
+
+/// Shot noise is the same everywhere in the root of the light, which is where noise is added; so is half of
+/// the tone curve.
+void CameraChip::expose(const Rows& rows, int v, std::uint64_t noise_key, std::uint8_t* bytes) const {
+  const CameraIntrinsics& camera = setup_.camera;
+  const float middle = 1 - 2 * beside_;
+  const Colour glare = setup_.light.glare * setup_.light.horizon;
+  const double corner = std::hypot(camera.width, camera.height) / 2;
+  const double dv = (v - camera.height / 2.0) / corner;
+  const std::uint64_t key = mixed(noise_key + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(v + 1));
+  std::size_t at = key % kNoiseCount;
+  const std::size_t step = 2 * (key >> 40 & 0xff) + 1;
+  for (int u = 0; u < camera.width; ++u) {
+    const auto column = [&](int i) {
+      return Colour(middle * rows.here[i] + beside_ * (rows.above[i] + rows.below[i]));
+    };
+    const Colour light = middle * column(u + 1) + beside_ * (column(u) + column(u + 2));
+    const double du = (u - camera.width / 2.0) / corner;
+    const float kept = setup_.light.exposure * (1 - kVignette * static_cast<float>(du * du + dv * dv));
+    Colour root = ((light + glare) * kept).max(0.0F).sqrt() + noise_[at];
+    root = (root.max(0.0F).min(1.0F)) * static_cast<float>(kTones) + 0.5F;
+    for (int i = 0; i < 3; ++i) bytes[3 * u + i] = tones_[static_cast<std::size_t>(root[i])];
+    at = (at + step) % kNoiseCount;
+  }
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "camera/camera_model.hpp"
+#include "sensors/rig.hpp"
+#include "simulation/road_ahead.hpp"
+
+namespace lanefuse {
+
+/// Where a camera's rays meet the ground.
+struct GroundHit {
+  double x = 0;         ///< [m] in the vehicle frame
+  double y = 0;         ///< [m]
+  double way = 0;       ///< [m] along the road
+  double lateral = 0;   ///< [m] across it
+  bool ground = false;  ///< else the ray passes over the ground's end, and this is the place below it there
+};
+
+/// Casts the rays of one image onto the road with its ups and downs; beside the road the ground is as high as
+/// the road. Rows are cut into segments of kSegment pixels, at whose ends rays are exact.
+class GroundRays {
+ public:
+  static constexpr int kSegment = 32;        ///< [px]
+  static constexpr double kGroundEnd = 400;  ///< [m] ahead; what is beyond belongs to the backdrop
+
+  /// All of them must outlive it.
+  GroundRays(const CameraModel& camera, const Mounting& mounting, const RoadAhead& road);
+
+  /// Columns of the segments' ends: 0, kSegment ... beyond the image's right border, from the middle of the
+  /// first pixel.
+  [[nodiscard]] int node_count() const { return node_count_; }
+  /// Hits at height `row` [px] of the image, one a node.
+  void cast(double row, std::vector<GroundHit>& hits) const;
+  [[nodiscard]] GroundHit cast(const Eigen::Vector2d& pixel) const;
+
+  /// Direction of a pixel in the vehicle frame.
+  [[nodiscard]] Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
+  [[nodiscard]] const Mounting& mounting() const { return mounting_; }
+
+ private:
+  const CameraModel* camera_;
+  Mounting mounting_;
+  const RoadAhead* road_;
+  Eigen::Matrix3d vehicle_from_camera_;
+  int node_count_;
+  /// By the metre from the camera on: the steepest slope at which a ray passes over all the road up to there.
+  std::vector<double> passing_slope_;
+
+  [[nodiscard]] double first_guess(double slope) const;
+};
+
+Eigen::Matrix3d vehicle_from_camera(const Mounting& mounting);
+
+}  // namespace lanefuse

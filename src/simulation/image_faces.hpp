@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "camera/camera_model.hpp"
+#include "sensors/rig.hpp"
+#include "simulation/image_light.hpp"
+#include "simulation/span_coverage.hpp"
+
+namespace lanefuse {
+
+/// A flat convex piece of something, as an image shows it.
+struct Face {
+  std::vector<Eigen::Vector2d> outline;  ///< [px]
+  double top = 0;                        ///< [px] row
+  double bottom = 0;                     ///< [px] row
+  double distance = 0;                   ///< [m] that decides what hides what
+  Colour colour = grey(0);               ///< light that reaches the camera
+  float opacity = 1;
+};
+
+/// Gathers faces of a scene as one camera sees them.
+class ImageFaces {
+ public:
+  /// Both must outlive it.
+  ImageFaces(const CameraModel& camera, const Mounting& mounting, const ImageLight& light);
+
+  /// How a face looks before the air comes between.
+  struct Paint {
+    Colour colour = grey(0);
+    float opacity = 1;
+  };
+  /// Corners in the vehicle frame [m], in order around a convex outline; what is behind the camera is cut
+  /// off. `distance` [m] decides what hides what.
+  void add(const std::vector<Eigen::Vector3d>& corners, double distance, const Paint& paint);
+
+  [[nodiscard]] const ImageLight& light() const { return *light_; }
+  /// Of the camera, in the vehicle frame.
+  [[nodiscard]] Eigen::Vector3d eye() const { return eye_; }
+
+  /// All faces, the farthest first; faces of one distance in the order in which they came.
+  [[nodiscard]] std::vector<Face> sorted() &&;
+
+ private:
+  const CameraModel* camera_;
+  const ImageLight* light_;
+  Eigen::Vector3d eye_;
+  Eigen::Matrix3d camera_from_vehicle_;
+  std::vector<Face> faces_;
+};
+
+/// Lays the face's part in row `v` over the pixels; `coverage` is scratch of the row's width, clear before
+/// and after.
+void draw_row(const Face& face, int v, SpanCoverage& coverage, Colour* pixels);
+
+}  // namespace lanefuse

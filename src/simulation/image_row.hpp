@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simulation/camera_renderer.hpp"
+#include "simulation/ground_rays.hpp"
+#include "simulation/image_backdrop.hpp"
+#include "simulation/image_faces.hpp"
+#include "simulation/road_ahead.hpp"
+#include "simulation/road_paint.hpp"
+#include "simulation/road_surface.hpp"
+
+namespace lanefuse {
+
+/// One scene made ready to be rendered from one camera; it does not change while rows are painted.
+class ImageScene {
+ public:
+  struct View {
+    const Scene& scene;
+    const CameraModel& camera;
+    const Mounting& mounting;
+  };
+  ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
+             const SurfaceTextures& textures);
+
+  [[nodiscard]] Time time() const { return time_; }
+
+ private:
+  friend class ImageRowPainter;
+  Time time_;
+  int width_;
+  ImageLight light_;
+  RoadAhead road_;
+  GroundRays rays_;
+  RoadSurface surface_;
+  RoadPaint paint_;
+  ImageBackdrop backdrop_;
+  std::vector<Face> shadows_;
+  std::vector<Face> faces_;
+};
+
+/// Paints rows of a scene from top to bottom, one after the other.
+class ImageRowPainter {
+ public:
+  explicit ImageRowPainter(const ImageScene& scene);
+
+  /// The light that reaches the pixels of row `v`.
+  void paint(int v, Colour* pixels);
+
+ private:
+  const ImageScene* scene_;
+  std::vector<GroundHit> far_;
+  std::vector<GroundHit> near_;
+  std::optional<int> near_row_;  ///< whose lower edge near_ is
+  SpanCoverage coverage_;
+  std::vector<Colour> albedo_;
+
+  void cast(int v);
+  void paint_ground(Colour* pixels);
+  void light_segment(int node, const Colour* albedo, Colour* pixels) const;
+};
+
+}  // namespace lanefuse

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace lanefuse {
+
+/// A piece of noise of mean 0 and sigma 1 that repeats along and across the road, with copies of itself that
+/// are averaged along and across by powers of two, so that what one pixel covers is one look-up.
+class TextureTile {
+ public:
+  struct Shape {
+    int along = 512;      ///< texels, a power of two
+    int across = 256;     ///< texels, a power of two
+    double texel = 0.02;  ///< [m]
+  };
+  /// How much of the noise is of which size.
+  struct Octave {
+    int texels = 1;  ///< a power of two
+    float weight = 1;
+  };
+  TextureTile(const Shape& shape, const std::vector<Octave>& octaves, std::uint64_t seed,
+              std::string_view stream);
+
+  /// A copy that is averaged to fit pixels of a size.
+  class Level {
+   public:
+    /// `along` and `across` [m] on the road.
+    [[nodiscard]] float at(double along, double across) const {
+      const double a = along * along_scale_;
+      const double c = across * across_scale_;
+      const auto i = static_cast<std::int64_t>(a + kShift) - kShift;
+      const auto j = static_cast<std::int64_t>(c + kShift) - kShift;
+      const auto fa = static_cast<float>(a - static_cast<double>(i));
+      const auto fc = static_cast<float>(c - static_cast<double>(j));
+      const std::int16_t* low = data_ + (i & along_mask_) * (across_mask_ + 1);
+      const std::int16_t* high = data_ + ((i + 1) & along_mask_) * (across_mask_ + 1);
+      const std::int64_t j0 = j & across_mask_;
+      const std::int64_t j1 = (j + 1) & across_mask_;
+      const auto mix = [](float x, float y, float f) { return x + f * (y - x); };
+      return kUnit * mix(mix(low[j0], low[j1], fc), mix(high[j0], high[j1], fc), fa);
+    }
+
+   private:
+    friend class TextureTile;
+    static constexpr std::int64_t kShift = 1 << 30;  // so that casting rounds down
+    static constexpr float kUnit = 1.0F / 4096;
+    const std::int16_t* data_ = nullptr;
+    std::int64_t along_mask_ = 0;
+    std::int64_t across_mask_ = 0;
+    double along_scale_ = 0;
+    double across_scale_ = 0;
+  };
+  /// For pixels that cover so much ground [m].
+  [[nodiscard]] Level level(double along, double across) const;
+
+ private:
+  Shape shape_;
+  int along_levels_ = 0;
+  int across_levels_ = 0;
+  std::vector<std::vector<std::int16_t>> levels_;  ///< by across * along_levels_ + along
+
+  void add_octave(const Octave& octave, std::vector<float>& values, class Random& random) const;
+  void average(const std::vector<float>& values);
+};
+
+}  // namespace lanefuse
