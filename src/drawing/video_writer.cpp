@@ -3,6 +3,7 @@
 #include "drawing/video_writer.hpp"
 
 #include <cassert>
+#include <fstream>
 #include <opencv2/videoio.hpp>
 
 #include "core/error.hpp"
@@ -31,9 +32,11 @@ class VideoWriter::Session {
  public:
   Session(const std::filesystem::path& path, cv::Size size, double frames_per_second)
       : path_(path), part_(part_of(path)), size_(size) {
+    if (!std::ofstream(part_)) throw input_error(path.string(), "could not be written");
     for (const Codec& codec : kCodecs) {
       if (open(codec, frames_per_second)) return;
     }
+    std::filesystem::remove(part_);
     throw configuration_error(path.string(), "no codec for video is there",
                               "install OpenCV's videoio with FFmpeg, and libx264 or libavcodec's MPEG-4");
   }
