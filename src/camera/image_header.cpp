@@ -30,7 +30,8 @@ bool holds(Bytes bytes, std::size_t at, std::string_view text) {
 }
 
 std::optional<ImageSize> positive(std::int64_t width, std::int64_t height) {
-  if (width <= 0 || height <= 0) return {};
+  constexpr std::int64_t kLongestSide = 0x7FFFFFFF;  // PNG's limit; the product then fits
+  if (width <= 0 || height <= 0 || width > kLongestSide || height > kLongestSide) return {};
   return ImageSize{width, height};
 }
 

@@ -8,7 +8,9 @@
 #include "benchmark/variant.hpp"
 #include "cli/benchmark_command.hpp"
 #include "cli/benchmark_results_command.hpp"
+#include "cli/camera_benchmark_command.hpp"
 #include "cli/command_line.hpp"
+#include "cli/label_benchmark_command.hpp"
 
 namespace lanefuse {
 namespace {
@@ -72,6 +74,44 @@ void add_compare(CLI::App& benchmark, CommandLine& line) {
   finish(command, line, options, compare_results);
 }
 
+void add_cameras(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<CameraBenchmarkOptions>();
+  CLI::App& command = *benchmark.add_subcommand(
+      "cameras", "render drives and judge what the cameras see, image by image, against what was rendered");
+  command
+      .add_option("--conditions", options.conditions, "clear, low-sun, wet, night; all, if nothing is said")
+      ->delimiter(',');
+  command.add_option("--road", options.road, "gentle or curved")
+      ->check(CLI::IsMember({"gentle", "curved"}))
+      ->capture_default_str();
+  command.add_option("--seeds", options.seeds, "one drive each, as in 1-3,9")->capture_default_str();
+  command.add_option("--km", options.km, "length of a drive [km]")
+      ->check(CLI::Range(0.2, 100.0))
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "drives at a time, else one a core")->check(CLI::Range(1, 4096));
+  finish(command, line, options, benchmark_cameras);
+}
+
+void add_labels(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<LabelBenchmarkOptions>();
+  CLI::App& command = *benchmark.add_subcommand(
+      "labels", "fuse a drive with images, and compare it with what people marked in some of them");
+  command.add_option("drive", options.drive, "the recorded drive (.mcap)")->required();
+  command.add_option("--labels", options.labels, "what was marked (.json)")->required();
+  command.add_option("--clip", options.clip, "whose labels of the file they are, else the drive's name");
+  command.add_option("--tolerance-px", options.tolerance.pixels, "between a label and the estimated line")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command.add_option("--range-m", options.tolerance.range, "up to which labels count")
+      ->check(CLI::Range(5.0, 150.0))
+      ->capture_default_str();
+  command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
+  command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
+      ->expected(1)
+      ->take_all();
+  finish(command, line, options, benchmark_labels);
+}
+
 }  // namespace
 
 void add_benchmark(CommandLine& line) {
@@ -87,6 +127,8 @@ void add_benchmark(CommandLine& line) {
                      "I/N: every N-th drive from the I-th on, for arrays of machines");
   CLI::Option* list = command.add_flag("--list", options.list, "name the drives and stop");
   command.add_flag("--no-times", options.no_times, "leave out wall-clock times: equal runs, equal bytes");
+  add_cameras(command, line);
+  add_labels(command, line);
   add_merge(command, line);
   add_table(command, line);
   add_compare(command, line);

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -50,12 +51,26 @@ class Stopwatch {
   std::vector<double> cycles_;
 };
 
+/// How many images came, and how many of them could not be believed.
+struct ImageTotals {
+  std::uint64_t seen = 0;
+  std::map<std::string, std::uint64_t> faults;
+
+  void add(std::span<const CameraView> views) {
+    seen += views.size();
+    for (const CameraView& view : views) {
+      if (view.fault != ImageFault::none) ++faults[to_string(view.fault)];
+    }
+  }
+};
+
 /// What a run came to.
 struct RunTotals {
   std::uint64_t cycles = 0;
   std::optional<Time> first;
   Time last{};
   InputAccounting inputs;
+  ImageTotals images;
   GraphSize graph;
   std::optional<double> first_rejection;  ///< [s] since the first cycle
 
@@ -91,7 +106,7 @@ void print_json(const RunTotals& totals, const Stopwatch& watch, const Perceptio
   nlohmann::ordered_json stages;
   for (int s = 0; s < kStageCount; ++s)
     stages[to_string(static_cast<Stage>(s))] = watch.mean(static_cast<Stage>(s));
-  const nlohmann::ordered_json json{
+  nlohmann::ordered_json json{
       {"cycles", totals.cycles},
       {"duration_s", totals.duration()},
       {"cycle_ms",
@@ -107,7 +122,17 @@ void print_json(const RunTotals& totals, const Stopwatch& watch, const Perceptio
        {{"poses", totals.graph.poses}, {"features", totals.graph.features}, {"edges", totals.graph.edges}}},
       {"witness", to_string(config.sources.objects.witness.rule)},
       {"configuration_hash", fingerprint(config)}};
+  if (totals.images.seen > 0) {
+    json["images"] = {{"seen", totals.images.seen}, {"faults", totals.images.faults}};
+  }
   fmt::print("{}\n", json.dump());
+}
+
+void print_images(const ImageTotals& images) {
+  if (images.seen == 0) return;
+  fmt::print("images: {}", images.seen);
+  for (const auto& [fault, count] : images.faults) fmt::print(", {} {}", count, fault);
+  fmt::print("\n");
 }
 
 void print_text(const RunTotals& totals, const Stopwatch& watch, const RunOptions& options) {
@@ -117,6 +142,7 @@ void print_text(const RunTotals& totals, const Stopwatch& watch, const RunOption
   fmt::print("inputs: {} used, {} rejected, {} dropped; largest graph: {} poses, {} features, {} edges\n",
              totals.inputs.used, totals.inputs.rejected, totals.inputs.dropped, totals.graph.poses,
              totals.graph.features, totals.graph.edges);
+  print_images(totals.images);
 }
 
 /// Runs all cycles that are due before `now`.
@@ -128,7 +154,8 @@ void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTot
     if (!lanes) return;
     watch.end_cycle();
     totals.add(*lanes, perception.debug());
-    writer.write(*lanes, perception.debug());
+    writer.write(*lanes, perception.debug(), perception.camera_views());
+    totals.images.add(perception.camera_views());
   }
 }
 

@@ -70,6 +70,7 @@ struct ClothoidMeasurement {
   double confidence = 1;   ///< in [0, 1]
   Side side = Side::none;
   MarkingEvidence marking;
+  std::optional<double> marking_width = {};  ///< [m] of the paint, where the camera measured it
 };
 
 /// An error that all features of one frame share: they lean together, and are not independent.

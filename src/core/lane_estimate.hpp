@@ -55,6 +55,8 @@ enum class StatusReason : std::uint8_t {
   source_silent = 4,   ///< a source that was there is not
   solver_failed = 5,   ///< the graph could not be solved; the window was kept as it was
   no_road_course = 6,  ///< too few features for a base clothoid; the lanes are predicted
+  image_fault = 7,     ///< a camera's images cannot be believed: black, cut off, frozen
+  camera_bumped = 8,   ///< a camera has moved in its mounting and is being learned anew
 };
 const char* to_string(EstimateStatus status);
 const char* to_string(StatusReason reason);

@@ -79,6 +79,10 @@ const char* to_string(StatusReason reason) {
       return "solver_failed";
     case StatusReason::no_road_course:
       return "no_road_course";
+    case StatusReason::image_fault:
+      return "image_fault";
+    case StatusReason::camera_bumped:
+      return "camera_bumped";
   }
   return "unknown";
 }

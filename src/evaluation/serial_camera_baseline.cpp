@@ -28,9 +28,15 @@ LaneEstimate SerialCameraBaseline::at(Time time) const {
   if (!lane_ || time - lane_->stamp.measured_at > config_.oldest) return estimate;
   const double age = to_seconds(time - lane_->stamp.measured_at);
   const Pose2 then_from_now = constant_turn(speed_, yaw_rate_, age);
-  const double outward = lane_->marking_width.value_or(config_.marking_width) / 2;
-  if (lane_->left) estimate.boundaries.push_back(boundary(*lane_->left, outward, then_from_now));
-  if (lane_->right) estimate.boundaries.push_back(boundary(*lane_->right, -outward, then_from_now));
+  const double usual = lane_->marking_width.value_or(config_.marking_width);
+  const auto outward = [usual](const ClothoidMeasurement& side) {
+    return side.marking_width.value_or(usual) / 2;
+  };
+  if (lane_->left)
+    estimate.boundaries.push_back(boundary(*lane_->left, outward(*lane_->left), then_from_now));
+  if (lane_->right) {
+    estimate.boundaries.push_back(boundary(*lane_->right, -outward(*lane_->right), then_from_now));
+  }
   if (estimate.boundaries.size() < 2) return estimate;
   estimate.lanes.push_back({1, 1, 2, {}, {}});
   estimate.status = EstimateStatus::ok;

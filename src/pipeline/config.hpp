@@ -8,6 +8,7 @@
 
 #include "fusion/fusion_config.hpp"
 #include "lanes/lane_model_config.hpp"
+#include "sources/camera_images.hpp"
 #include "sources/dead_reckoning.hpp"
 #include "sources/ego_path_source.hpp"
 #include "sources/high_resolution_camera_source.hpp"
@@ -18,6 +19,7 @@ namespace lanefuse {
 
 struct SourcesConfig {
   DeadReckoningConfig odometry;
+  CameraImagesConfig images;
   SerialCameraConfig serial_camera;
   HighResolutionCameraConfig high_resolution_camera;
   ObjectSourceConfig objects;

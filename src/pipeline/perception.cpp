@@ -91,6 +91,7 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig
       period_(from_seconds(1 / config.cycle_hz)),
       stamp_memory_(from_seconds(config.reorder_window_s) + std::chrono::seconds(1)),
       dead_reckoning_(config.sources.odometry),
+      images_(config.sources.images),
       sources_(make_sources(config.sources)),
       estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {}
 
@@ -147,11 +148,13 @@ const LaneEstimate* MultiLanePerception::advance(Time now) {
   estimate_.inputs = std::exchange(inputs_, {});
   estimate_.witnesses = count_witnesses(feature_sets_);
   judge_sources(time, estimate_);
+  judge_cameras(estimate_);
   return &estimate_;
 }
 
 void MultiLanePerception::run_sources(Time now) {
   feature_sets_.clear();
+  images_.forget_views();
   std::stable_sort(pending_.begin(), pending_.end(), measured_before);
   for (const Measurement& measurement : pending_) {
     if (const auto* motion = std::get_if<VehicleMotion>(&measurement))
@@ -177,10 +180,45 @@ void MultiLanePerception::take(const Measurement& measurement, const SourceConte
     inputs_.dropped += item_count(measurement);
     return;
   }
+  if (const auto* objects = std::get_if<ObjectList>(&measurement)) images_.note(*objects);
+  const auto* image = std::get_if<CameraImage>(&measurement);
+  inputs_ += image ? take_image(*image, context) : hand_to_sources(measurement, context);
+}
+
+InputAccounting MultiLanePerception::hand_to_sources(const Measurement& measurement,
+                                                     const SourceContext& context) {
   InputAccounting taken;
   for (const auto& source : sources_) taken += source->add(measurement, context);
   if (taken == InputAccounting{}) taken.dropped = item_count(measurement);
-  inputs_ += taken;
+  return taken;
+}
+
+/// What an image shows counts beside the image itself. An own source that wants images gets them, too.
+InputAccounting MultiLanePerception::take_image(const CameraImage& image, const SourceContext& context) {
+  InputAccounting own;
+  for (const auto& source : sources_) own += source->add(image, context);
+  std::vector<Measurement> seen;
+  InputAccounting taken = images_.take(image, context, seen);
+  for (const Measurement& measurement : seen) taken += hand_to_sources(measurement, context);
+  // Whoever used it: the image is one item.
+  if (own.used > 0 && taken.dropped == 1 && seen.empty()) taken = {.used = 1};
+  return taken;
+}
+
+/// Cameras that give images and cannot be believed are no silence: they are named.
+void MultiLanePerception::judge_cameras(LaneEstimate& estimate) const {
+  for (const CameraView& view : images_.views()) {
+    const bool bumped = view.calibration == CalibrationStatus::bumped;
+    if (view.fault == ImageFault::none && !bumped) continue;
+    const SensorDescription* sensor = rig_.find(view.sensor_id);
+    if (!sensor) continue;
+    const Source source = sensor->kind == SensorKind::high_resolution_camera ? Source::high_resolution_camera
+                                                                             : Source::serial_camera;
+    estimate.sources[static_cast<std::size_t>(source)] = SourceStatus::degraded;
+    if (estimate.status == EstimateStatus::invalid) continue;
+    estimate.status = EstimateStatus::degraded;
+    estimate.reason = bumped ? StatusReason::camera_bumped : StatusReason::image_fault;
+  }
 }
 
 void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
@@ -197,6 +235,7 @@ void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const 
 void MultiLanePerception::reset() {
   dead_reckoning_.reset();
   lane_width_.reset();
+  images_.reset();
   for (const auto& source : sources_) source->reset();
   estimator_->reset();
   pending_.clear();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "pipeline/config.hpp"
 #include "sensors/measurement.hpp"
 #include "sensors/rig.hpp"
+#include "sources/camera_images.hpp"
 #include "sources/dead_reckoning.hpp"
 #include "sources/feature_source.hpp"
 #include "sources/lane_width_filter.hpp"
@@ -47,6 +49,9 @@ class MultiLanePerception {
 
   [[nodiscard]] const DebugView& debug() const { return estimator_->debug(); }
 
+  /// What the cameras saw in the images that the last cycle took in.
+  [[nodiscard]] std::span<const CameraView> camera_views() const { return images_.views(); }
+
   /// Lets the caller time the stages: called when one ends.
   void on_stage(LaneEstimator::StageListener listener);
 
@@ -56,6 +61,9 @@ class MultiLanePerception {
  private:
   void run_sources(Time now);
   void take(const Measurement& measurement, const SourceContext& context);
+  InputAccounting hand_to_sources(const Measurement& measurement, const SourceContext& context);
+  InputAccounting take_image(const CameraImage& image, const SourceContext& context);
+  void judge_cameras(LaneEstimate& estimate) const;
   bool seen_before(const Measurement& measurement);
   [[nodiscard]] bool is_long_past(const Measurement& measurement) const;
   [[nodiscard]] Time last_cycle_until(Time time) const;
@@ -67,6 +75,7 @@ class MultiLanePerception {
   Duration stamp_memory_;  ///< longer than the reorder window, so that what comes twice is still known
   DeadReckoning dead_reckoning_;
   LaneWidthFilter lane_width_;
+  CameraImages images_;
   std::vector<std::unique_ptr<FeatureSource>> sources_;
   std::unique_ptr<LaneEstimator> estimator_;
   LaneEstimator::StageListener stage_done_ = [](Stage) {};

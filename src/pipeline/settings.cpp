@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "pipeline/image_settings.hpp"
 #include "pipeline/settings_section.hpp"
 
 namespace lanefuse {
@@ -84,6 +85,7 @@ void add_radar_tracker(const Section& s, RadarTrackerConfig& c) {
 
 void add_sources(const Section& s, SourcesConfig& c) {
   add_odometry(s.section("odometry"), c.odometry);
+  add_images(s.section("images"), c.images);
   const Section serial = s.section("serial_camera");
   serial.add("enabled", c.serial_camera.enabled, "whether the serial camera's lanes are used");
   serial.add("marking_width", c.serial_camera.marking_width, {0.05, 1.0}, "m",

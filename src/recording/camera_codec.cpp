@@ -16,16 +16,19 @@ void put(const ClothoidMeasurement& measurement, v1::ClothoidMeasurement& messag
   message.set_confidence(measurement.confidence);
   message.set_side(static_cast<v1::Side>(measurement.side));
   lanefuse::put(measurement.marking, *message.mutable_marking());
+  if (measurement.marking_width) message.set_marking_width(*measurement.marking_width);
 }
 
 ClothoidMeasurement take(const v1::ClothoidMeasurement& message) {
-  return {.clothoid = lanefuse::take(message.clothoid()),
-          .covariance = take_covariance<4>(message.covariance(), message.GetTypeName()),
-          .range_begin = message.range_begin(),
-          .range_end = message.range_end(),
-          .confidence = message.confidence(),
-          .side = take_side(message.side()),
-          .marking = lanefuse::take(message.marking())};
+  return {
+      .clothoid = lanefuse::take(message.clothoid()),
+      .covariance = take_covariance<4>(message.covariance(), message.GetTypeName()),
+      .range_begin = message.range_begin(),
+      .range_end = message.range_end(),
+      .confidence = message.confidence(),
+      .side = take_side(message.side()),
+      .marking = lanefuse::take(message.marking()),
+      .marking_width = message.has_marking_width() ? std::optional(message.marking_width()) : std::nullopt};
 }
 
 SharedError take(const v1::SharedError& message) {

@@ -21,8 +21,12 @@ constexpr double kLargestSigma = 0.15;  ///< [m] of an offset: beyond it the cam
 void append(const std::optional<ClothoidMeasurement>& seen, Side side, const SerialLane& lane,
             std::vector<SeenMarking>& markings) {
   if (!seen || !is_plausible(*seen) || seen->confidence < kLeastConfidence) return;
-  SeenMarking marking{lane.stamp.measured_at,         side,         seen->clothoid, seen->covariance(0, 0),
-                      lane.marking_width.value_or(0), seen->marking};
+  SeenMarking marking{lane.stamp.measured_at,
+                      side,
+                      seen->clothoid,
+                      seen->covariance(0, 0),
+                      seen->marking_width.value_or(lane.marking_width.value_or(0)),
+                      seen->marking};
   if (marking.variance > kLargestSigma * kLargestSigma) return;
   marking.line.lateral_offset += (side == Side::left ? 0.5 : -0.5) * marking.paint_width;
   markings.push_back(marking);

@@ -116,7 +116,8 @@ bool is_plausible(const ClothoidMeasurement& measurement) {
   return is_curve && is_semidefinite(measurement.covariance) &&
          is_within(measurement.range_begin, kFarthest) && is_within(measurement.range_end, kFarthest) &&
          measurement.range_end >= measurement.range_begin && measurement.confidence >= 0 &&
-         measurement.confidence <= 1;
+         measurement.confidence <= 1 &&
+         (!measurement.marking_width || (*measurement.marking_width > 0 && *measurement.marking_width < 2));
 }
 
 bool is_plausible(const TrackedObject& object) {

@@ -41,7 +41,7 @@ struct SerialLane {
   Stamp stamp;
   std::optional<ClothoidMeasurement> left;
   std::optional<ClothoidMeasurement> right;
-  std::optional<double> marking_width;  ///< [m] of the paint, where the camera measured it
+  std::optional<double> marking_width;  ///< [m] of the paint on both sides, where a side does not say itself
 };
 
 /// Marking features of one high-resolution image, centre of the paint, in the vehicle frame [IROS16, sec.

@@ -6,10 +6,12 @@
 
 namespace lanefuse {
 
-bool SerialCameraSource::take(ClothoidMeasurement clothoid, double outward, FeatureSet& set) const {
-  clothoid.side = outward > 0 ? Side::left : Side::right;
+bool SerialCameraSource::take(ClothoidMeasurement clothoid, Side side, double usual_width,
+                              FeatureSet& set) const {
+  clothoid.side = side;
   if (!is_plausible(clothoid)) return false;
-  clothoid.clothoid.lateral_offset += outward;
+  const double outward = clothoid.marking_width.value_or(usual_width) / 2;
+  clothoid.clothoid.lateral_offset += side == Side::left ? outward : -outward;
   clothoid.covariance *= config_.covariance_inflation;
   set.clothoids.push_back(clothoid);
   return true;
@@ -22,10 +24,10 @@ InputAccounting SerialCameraSource::add(const Measurement& measurement, const So
   set.source = Source::serial_camera;
   set.sensor_id = lane->stamp.sensor_id;
   set.measured_at = lane->stamp.measured_at;
-  const double outward = lane->marking_width.value_or(config_.marking_width) / 2;
+  const double width = lane->marking_width.value_or(config_.marking_width);
   InputAccounting accounting;
-  if (lane->left) ++(take(*lane->left, outward, set) ? accounting.used : accounting.rejected);
-  if (lane->right) ++(take(*lane->right, -outward, set) ? accounting.used : accounting.rejected);
+  if (lane->left) ++(take(*lane->left, Side::left, width, set) ? accounting.used : accounting.rejected);
+  if (lane->right) ++(take(*lane->right, Side::right, width, set) ? accounting.used : accounting.rejected);
   if (!set.clothoids.empty()) pending_.push_back(std::move(set));
   return accounting;
 }

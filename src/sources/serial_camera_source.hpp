@@ -23,7 +23,7 @@ class SerialCameraSource final : public FeatureSource {
   void reset() override { pending_.clear(); }
 
  private:
-  bool take(ClothoidMeasurement clothoid, double outward, FeatureSet& set) const;
+  bool take(ClothoidMeasurement clothoid, Side side, double usual_width, FeatureSet& set) const;
 
   SerialCameraConfig config_;
   std::vector<FeatureSet> pending_;

@@ -23,6 +23,7 @@ struct Items {
   std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
   std::uint64_t operator()(const GnssInsFix&) const { return 0; }
+  std::uint64_t operator()(const CameraImage&) const { return 1; }
 };
 
 /// What the accounting must add up to.
@@ -37,6 +38,7 @@ struct AddDamagedItem {
   void operator()(VehicleMotion&) const {}
   void operator()(SerialLane&) const {}
   void operator()(GnssInsFix&) const {}
+  void operator()(CameraImage&) const {}
   void operator()(MarkingFeatures& markings) const {
     insert(markings.features, Feature{kNotANumber, 0, 0, 0.5});
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/lane_estimate.hpp"
+#include "sensors/camera_view.hpp"
 #include "sensors/measurement.hpp"
 #include "sensors/truth.hpp"
 
@@ -69,6 +70,25 @@ inline auto fields(const ObjectList& l) { return std::make_tuple(fields(l.stamp)
 inline auto fields(const GnssInsFix& f) {
   return std::make_tuple(fields(f.stamp), f.latitude, f.longitude, f.height, f.heading,
                          fields(f.position_covariance), f.heading_sigma, f.kind);
+}
+
+inline auto fields(const CameraImage& i) { return std::make_tuple(fields(i.stamp), i.format, i.bytes); }
+
+inline auto fields(const Mounting& m) { return std::make_tuple(m.x, m.y, m.z, m.roll, m.pitch, m.yaw); }
+inline auto fields(const CameraPose& p) {
+  return std::make_tuple(fields(p.mounting), p.vertical_curvature, fields(p.covariance),
+                         p.vertical_curvature_sigma);
+}
+inline auto fields(const VehicleBox& b) {
+  return std::make_tuple(b.left, b.top, b.right, b.bottom, b.distance, b.lateral, b.width, b.confidence);
+}
+inline auto fields(const SearchWindow& w) {
+  return std::make_tuple(w.row, w.left, w.right, w.side, w.found, w.column);
+}
+inline auto fields(const ImageBar& b) { return std::make_tuple(b.row, b.left, b.right, b.believed); }
+inline auto fields(const CameraView& v) {
+  return std::make_tuple(v.sensor_id, v.measured_at, v.fault, v.calibration, fields(v.pose),
+                         all_fields(v.vehicles), all_fields(v.windows), all_fields(v.bars));
 }
 
 inline auto fields(const TrueBoundary& b) {

@@ -75,6 +75,13 @@ RC_GTEST_PROP(MeasurementCodec, FixComesBackButForTheLastBitsOfItsDegrees, ()) {
   RC_ASSERT(fields(back) == fields(fix));
 }
 
+RC_GTEST_PROP(MeasurementCodec, ImagesComeBackByteByByte, ()) {
+  const auto numbers = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
+  CameraImage image{testing::random_stamp(), "jpeg", {}};
+  for (const std::uint8_t n : numbers) image.bytes.push_back(static_cast<std::byte>(n));
+  RC_ASSERT(fields(round_trip(image)) == fields(image));
+}
+
 RC_GTEST_PROP(MeasurementCodec, AnyBytesAreDecodedOrRefused, ()) {
   const auto topic = *rc::gen::element<const char*>(topic::kVehicleMotion, topic::kWheelSpeeds,
                                                     topic::kSerialCamera, topic::kHighResolutionCamera,

@@ -17,13 +17,25 @@ namespace {
 
 using testing::number;
 
+CameraIntrinsics random_intrinsics() {
+  const auto positive = [] { return std::abs(number()) + 1; };
+  return {testing::below(4000) + 1,
+          testing::below(3000) + 1,
+          positive(),
+          positive(),
+          number(),
+          number(),
+          {number(), number(), number(), number(), number()}};
+}
+
 RC_GTEST_PROP(RigCodec, RigComesBackExactly, ()) {
   Rig rig;
   for (std::uint32_t id = 0; id < testing::below<std::uint32_t>(6); ++id) {
     rig.sensors.push_back({id,
-                           testing::any_of<SensorKind>(7),
+                           testing::any_of<SensorKind>(8),
                            *rc::gen::container<std::string>(rc::gen::inRange(' ', '~')),
-                           {number(), number(), number(), number(), number(), number()}});
+                           {number(), number(), number(), number(), number(), number()},
+                           testing::maybe(random_intrinsics)});
   }
   RC_ASSERT(decode_rig(encode_rig(rig)) == rig);
 }
@@ -34,6 +46,22 @@ TEST(RigCodec, RefusesWhatIsNoRig) {
   nowhere.mounting.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(decode_rig(encode_rig({{radar, radar}})), Error);
   EXPECT_THROW(decode_rig(encode_rig({{nowhere}})), Error);
+}
+
+TEST(RigCodec, RefusesALensThatIsNone) {
+  const auto with = [](const CameraIntrinsics& camera) {
+    return encode_rig({{{1, SensorKind::camera, "front", {}, camera}}});
+  };
+  const CameraIntrinsics sound{640, 480, 500, 500, 320, 240, {}};
+  EXPECT_NO_THROW(decode_rig(with(sound)));
+  for (const auto& spoil : std::vector<void (*)(CameraIntrinsics&)>{
+           [](CameraIntrinsics& c) { c.width = 0; }, [](CameraIntrinsics& c) { c.height = 1'000'000; },
+           [](CameraIntrinsics& c) { c.fx = -1; },
+           [](CameraIntrinsics& c) { c.distortion[4] = std::numeric_limits<double>::infinity(); }}) {
+    CameraIntrinsics camera = sound;
+    spoil(camera);
+    EXPECT_THROW(decode_rig(with(camera)), Error);
+  }
 }
 
 TEST(RigCodec, ViewersSeeWhereTheSensorsSit) {

@@ -56,6 +56,9 @@ class Digest {
     for (const TrackedObject& o : m.objects) add({o.x, o.y, o.heading, o.speed, double(o.seen_by_camera)});
   }
   void operator()(const RadarScan&) {}
+  void operator()(const CameraImage& m) {
+    text_.append(reinterpret_cast<const char*>(m.bytes.data()), m.bytes.size());
+  }
   void operator()(const GnssInsFix& m) { add({m.latitude, m.longitude, m.height, m.heading}); }
   void add(std::initializer_list<double> numbers) {
     for (const double number : numbers) text_.append(reinterpret_cast<const char*>(&number), sizeof number);

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "camera/paint_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lanefuse {
+namespace {
+
+constexpr double kMeasurable = 6;      ///< [px] bars of this width and more show how they grow
+constexpr int kRowsToTell = 5;         ///< bars that tell whether something stands upright
+constexpr double kLongestDash = 14;    ///< [m]
+constexpr double kShortestSolid = 20;  ///< [m]
+
+const PaintBar& at(const std::vector<PaintBar>& bars, int i) { return bars[static_cast<std::size_t>(i)]; }
+
+}  // namespace
+
+void PaintJudge::cut_into_pieces(const std::vector<PaintBar>& bars, const BarChain& chain) {
+  for (int first = chain.first; first >= 0;) {
+    int last = first;
+    int middle = first;
+    int count = 1;
+    for (int i = at(bars, first).next; i >= 0; i = at(bars, i).next) {
+      if (count >= 3 && at(bars, i).x - at(bars, first).x > config_.piece_length) break;
+      last = i;
+      if (++count % 2 == 0) middle = at(bars, middle).next;
+    }
+    if (count >= 2) {
+      const PaintBar& bar = at(bars, middle);
+      pieces_.push_back({bar.x, bar.y, std::tan(bar.heading), bar.y_sigma, bar.heading_sigma,
+                         at(bars, last).x - at(bars, first).x});
+    }
+    first = at(bars, last).next;
+  }
+}
+
+/// What stands on the road keeps its columns and its width from row to row, where paint tapers off.
+bool PaintJudge::stands_upright(const std::vector<PaintBar>& bars, const BarChain& chain) const {
+  const PaintBar& first = at(bars, chain.first);
+  const PaintBar& last = at(bars, chain.last);
+  const double width = first.bar.right - first.bar.left;
+  if (chain.count < kRowsToTell || width < kMeasurable || last.x < 1.25 * first.x) return false;
+  const double rows = first.row - last.row;
+  const double slant = std::abs(first.bar.centre - last.bar.centre) / rows;
+  const double growth = std::log(last.width / first.width) / std::log(last.x / first.x);
+  return slant < 0.3 && growth > 0.6;
+}
+
+/// Long and straight paint along the road is believed for itself.
+bool PaintJudge::runs_alone(const std::vector<PaintBar>& bars, const BarChain& chain) const {
+  if (chain.count < config_.sure_count || chain.length < config_.sure_length) return false;
+  return at(bars, chain.first).x < config_.far;
+}
+
+bool PaintJudge::fits_a_line(const PaintBar& bar, const BarChain& chain) const {
+  const double place = lines_.offset(bar.x, bar.y);
+  const double gate = config_.place_gate + config_.place_gate_growth * bar.x;
+  const ParallelLines::Line* line = lines_.nearest(place, gate);
+  if (!line || line->length < config_.line_length_min) return false;
+  if (bar.x > config_.far || chain.count < 3) {
+    if (line->length - chain.length < config_.line_length_min) return false;
+  }
+  if (chain.count < 2) return bar.x > config_.far / 2;
+  const double off = bar.heading - std::atan(lines_.slope(bar.x, bar.y));
+  return std::abs(off) < config_.heading_gate + 3 * std::min(bar.heading_sigma, 0.05);
+}
+
+void PaintJudge::judge_chain(std::vector<PaintBar>& bars, const BarChain& chain) {
+  if (stands_upright(bars, chain)) return;
+  const bool sure = runs_alone(bars, chain);
+  for (int i = chain.first; i >= 0; i = at(bars, i).next) {
+    PaintBar& bar = bars[static_cast<std::size_t>(i)];
+    bar.believed = sure || fits_a_line(bar, chain);
+    if (bar.believed && chain.count < 2) {
+      bar.heading = std::atan(lines_.slope(bar.x, bar.y));
+      bar.heading_sigma = config_.heading_gate;
+    }
+  }
+}
+
+void PaintJudge::measure_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains) {
+  shapes_.assign(lines_.lines().size(), {});
+  for (const BarChain& chain : chains) {
+    const PaintBar& first = at(bars, chain.first);
+    const PaintBar& last = at(bars, chain.last);
+    if (!first.believed || chain.count < 2 || first.x > config_.far) continue;
+    const ParallelLines::Line* line = lines_.nearest(
+        lines_.offset(first.x, first.y), config_.place_gate + config_.place_gate_growth * first.x);
+    if (!line) continue;
+    LineShape& shape = shapes_[static_cast<std::size_t>(line - lines_.lines().data())];
+    shape.begin = shape.chains == 0 ? first.x : std::min(shape.begin, first.x);
+    shape.end = std::max(shape.end, last.x);
+    shape.longest = std::max(shape.longest, chain.length);
+    shape.painted += chain.length;
+    ++shape.chains;
+  }
+}
+
+MarkingType PaintJudge::type_of(const PaintBar& bar) const {
+  const ParallelLines::Line* line =
+      lines_.nearest(lines_.offset(bar.x, bar.y), config_.place_gate + config_.place_gate_growth * bar.x);
+  if (!line) return MarkingType::unknown;
+  const LineShape& shape = shapes_[static_cast<std::size_t>(line - lines_.lines().data())];
+  if (shape.longest > kShortestSolid) return MarkingType::solid;
+  const double seen = shape.end - shape.begin;
+  if (shape.chains >= 2 && shape.longest < kLongestDash && shape.painted < 0.7 * seen && seen > 15) {
+    return MarkingType::dashed;
+  }
+  return MarkingType::unknown;
+}
+
+void PaintJudge::judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma) {
+  pieces_.clear();
+  for (const BarChain& chain : chains) cut_into_pieces(bars, chain);
+  lines_.fit(pieces_, stretch_sigma);
+  for (const BarChain& chain : chains) judge_chain(bars, chain);
+  measure_lines(bars, chains);
+}
+
+}  // namespace lanefuse
