@@ -101,7 +101,7 @@ struct Images {
 Images drive(std::uint64_t seed, bool serial_too) {
   SimulationConfig config;
   config.seed = seed;
-  config.km = 0.01;
+  config.km = 0.008;
   config.serial_camera = serial_too;
   config.images = ImageConditions::clear;
   DriveSimulation simulation(config, nominal_preset());

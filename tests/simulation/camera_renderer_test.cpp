@@ -26,23 +26,34 @@ struct Bar {
   double centre = 0;  ///< [px]
   double sum = 0;     ///< over the row
 };
-Bar bar(const Image& image, const TrueMarking& truth) {
-  const int first = static_cast<int>(std::floor(truth.left)) - 4;
-  const int last = static_cast<int>(std::ceil(truth.right)) + 4;
+/// `smear` [px]: how far the line moves sideways from one row to the next.
+Bar bar(const Image& image, const TrueMarking& truth, double smear) {
+  const double margin = 4 + 2 * smear;
+  const int first = static_cast<int>(std::floor(truth.left - margin));
+  const int last = static_cast<int>(std::ceil(truth.right + margin));
   if (first < 0 || last >= image.width()) return {};
   const int v = static_cast<int>(std::lround(truth.row));
-  const double from = light(image, first, v);
-  const double to = light(image, last, v);
+  const auto ground_at = [&](int u) {
+    return (light(image, u - 1, v) + light(image, u, v) + light(image, u + 1, v)) / 3;
+  };
+  const double from = ground_at(first + 1);
+  const double to = ground_at(last - 1);
   Bar bar;
   double moment = 0;
-  for (int u = first; u <= last; ++u) {
-    const double ground = from + (to - from) * (u - first) / (last - first);
+  for (int u = first + 2; u < last - 1; ++u) {
+    const double ground = from + (to - from) * (u - first - 1) / (last - first - 2);
     const double over = light(image, u, v) - ground;
     bar.sum += over;
     moment += over * u;
   }
   bar.centre = moment / bar.sum;
   return bar;
+}
+
+double smear_of(const ImageTruth& truth, int line, double row) {
+  const auto above = truth.marking(line, row - 0.5);
+  const auto below = truth.marking(line, row + 0.5);
+  return above && below ? std::abs(above->column - below->column) : 0;
 }
 
 /// Whether the paint fills the row from its upper to its lower edge, and those beside it.
@@ -61,7 +72,7 @@ void watch_bars(const Image& image, const ImageTruth& truth, Seen seen) {
     for (int v = image.height() - 2; v > 1; --v) {
       const auto there = truth.marking(line, v);
       if (!there || there->ground.x() < 10 || there->ground.x() > 110 || !filled(truth, line, v)) continue;
-      const Bar found = bar(image, *there);
+      const Bar found = bar(image, *there, smear_of(truth, line, v));
       if (found.sum > 0) seen(*there, found);
     }
   }
@@ -134,7 +145,7 @@ TEST(CameraRenderer, DashesEndWhereTheTruthSays) {
     for (int v = 0; v < image.height(); ++v) {
       const auto there = truth.marking(line, v);
       if (!there || there->hidden || there->ground.x() > 90) continue;
-      const Bar found = bar(image, *there);
+      const Bar found = bar(image, *there, smear_of(truth, line, v));
       if (found.sum == 0) continue;
       const bool bright = found.sum > 0.25 * (there->right - there->left);
       (bright == there->painted ? right : wrong) += 1;
@@ -168,9 +179,10 @@ TEST(CameraRenderer, OtherSeedsAndMomentsHaveOtherNoise) {
   EXPECT_FALSE(same_pixels(one, other));
 }
 
-double mean_of_road(const Image& image) {
+/// Mean of the middle of the picture, from row to row.
+double brightness(const Image& image, double from, double to) {
   Moments moments;
-  for (int v = image.height() * 3 / 4; v < image.height(); ++v) {
+  for (int v = static_cast<int>(from * image.height()); v < static_cast<int>(to * image.height()); ++v) {
     for (int u = image.width() / 3; u < image.width() * 2 / 3; ++u) moments.add(green(image, u, v));
   }
   return moments.mean();
@@ -179,18 +191,28 @@ double mean_of_road(const Image& image) {
 TEST(CameraRenderer, ConditionsDiffer) {
   RenderedScene at(1);
   at.scene().vehicles.clear();
-  std::array<double, kAllImageConditions.size()> brightness{};
-  for (std::size_t i = 0; i < brightness.size(); ++i) {
-    RenderConfig config;
+  std::array<double, kAllImageConditions.size()> sky{}, road{}, contrast{};
+  for (std::size_t i = 0; i < sky.size(); ++i) {
+    RenderConfig config = clean_picture();
     config.conditions = kAllImageConditions.at(i);
-    brightness.at(i) =
-        mean_of_road(CameraRenderer(serial_camera_intrinsics(), config).render(at.scene(), at.mounting()));
+    const CameraRenderer renderer(serial_camera_intrinsics(), config);
+    const Image image = renderer.render(at.scene(), at.mounting());
+    sky.at(i) = brightness(image, 0, 0.2);
+    road.at(i) = brightness(image, 0.8, 1);
+    Moments bars;
+    watch_bars(image, ImageTruth(at.scene(), renderer.camera(), at.mounting()),
+               [&](const TrueMarking& there, const Bar& found) {
+                 if (there.ground.x() < 40) bars.add(found.sum / (there.right - there.left));
+               });
+    contrast.at(i) = bars.mean();
   }
-  const auto [clear, low_sun, wet, night] = brightness;
-  EXPECT_GT(clear, low_sun);
-  EXPECT_GT(clear, wet);
-  EXPECT_GT(low_sun, night);
-  EXPECT_GT(night, 25);  // in the headlights
+  const auto [clear, low_sun, wet, night] = contrast;
+  EXPECT_GT(clear, 2 * low_sun);
+  EXPECT_GT(clear, 2 * wet);
+  EXPECT_GT(sky[1], sky[0]);
+  EXPECT_GT(sky[2], 2 * sky[3]);
+  EXPECT_GT(road[0], road[2]);
+  EXPECT_GT(road[3], 25);  // in the headlights
 }
 
 TEST(CameraRenderer, FogHidesWhatIsFar) {

@@ -42,11 +42,12 @@ class RenderedScene {
   Mounting mounting_;
 };
 
-/// As clean as it gets: new paint on one grey, and no noise.
+/// As clean as it gets: new paint on one grey, as bright in the corners, and no noise.
 inline RenderConfig clean_picture() {
   RenderConfig config;
   config.wear = 0;
   config.texture = 0;
+  config.vignetting = 0;
   config.noise = false;
   return config;
 }
