@@ -115,6 +115,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_run(*line);
   add_evaluate(*line);
   add_plot(*line);
+  add_overlay(*line);
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
