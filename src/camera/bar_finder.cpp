@@ -126,6 +126,7 @@ void BarFinder::measure(const RowSignal& signal, int rising, int falling) {
   RowBar bar;
   bar.contrast = contrast / signal.rows();
   bar.noise = noise / signal.rows();
+  bar.road = (left.level + right.level) / 2 / signal.rows();
   const int begin = rising - margin;
   const int end = falling + margin;
   const int middle = (rising + falling) / 2;
