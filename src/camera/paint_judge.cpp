@@ -78,10 +78,17 @@ bool PaintJudge::is_dull(const std::vector<PaintBar>& bars, const BarChain& chai
   return sum < config_.brightness_min * usual_brightness_ * chain.count;
 }
 
-/// Long and straight paint along the road is believed for itself.
+/// Long paint is believed for itself, and so are dashes near the car that run about along the road, even if
+/// the shape of its lines is not quite understood.
 bool PaintJudge::runs_alone(const std::vector<PaintBar>& bars, const BarChain& chain) const {
-  if (chain.count < config_.sure_count || chain.length < config_.sure_length) return false;
-  return at(bars, chain.first).x < config_.far;
+  const PaintBar& first = at(bars, chain.first);
+  const PaintBar& last = at(bars, chain.last);
+  if (chain.count >= config_.sure_count && chain.length >= config_.sure_length && first.x < config_.far)
+    return true;
+  if (chain.count < config_.far_count || chain.length < config_.near_length) return false;
+  if (last.x > config_.near || std::abs(first.y) > config_.near_lateral) return false;
+  const double slope = (last.y - first.y) / (last.x - first.x);
+  return std::abs(slope - lines_.slope(first.x, first.y)) < config_.near_heading_gate;
 }
 
 bool PaintJudge::fits_a_line(const PaintBar& bar, const BarChain& chain) const {

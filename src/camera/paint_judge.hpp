@@ -20,6 +20,10 @@ struct PaintJudgeConfig {
   double far = 60;                   ///< [m] from here on a line must be known from elsewhere, too
   double brightness_min = 0.15;      ///< against the road, of that of the image's other paint
   int far_count = 5;                 ///< bars of a far chain that is believed by itself
+  double near = 45;                  ///< [m] up to here dashes are long enough to be believed by themselves
+  double near_lateral = 8;           ///< [m] to either side, of such dashes
+  double near_length = 2;            ///< [m] of such dashes
+  double near_heading_gate = 0.06;   ///< [rad] of such dashes to the road
   double sure_length = 8;  ///< [m] of chain that is believed though it runs by itself, as at an exit
   int sure_count = 8;      ///< bars of such a chain
 };
