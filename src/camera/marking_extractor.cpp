@@ -21,6 +21,7 @@ constexpr double kSideMarginGrowth = 0.005;  ///< [m] of that for each metre of 
 constexpr double kShadowMargin = 0.12;       ///< of its height, below it
 constexpr double kPitchSigmaLeast = 0.002;   ///< [rad] no pose knows the pitch of one image better
 constexpr double kRowShare = 0.29;           ///< of a row: sigma of where paint that ends within it lies
+constexpr double kFar = 1e9;                 ///< [m]
 constexpr double kYellow = 0.35;             ///< of the contrast: blue that is missing in yellow paint
 
 /// Whether a place of the road lies beside a vehicle, on the car's side of it: a box around a vehicle that is
@@ -113,6 +114,7 @@ class MarkingExtractor::Stages {
   StillMask still_;
   std::vector<PlannedRow> rows_;
   std::vector<PaintBar> bars_;
+  std::vector<double> published_to_;  ///< [m] by chain
 
   void plan(const CameraPose& pose);
   void look_at(const Input& input, const RoadRays& rays, int plan);
@@ -184,10 +186,14 @@ Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const PaintBa
 void MarkingExtractor::Stages::publish(const RoadRays& rays) {
   features.clear();
   image_bars.clear();
+  published_to_.assign(bars_.size(), -kFar);
   for (const PaintBar& bar : bars_) {
     image_bars.push_back({static_cast<double>(rows_[static_cast<std::size_t>(bar.plan)].row), bar.bar.left,
                           bar.bar.right, bar.believed});
-    if (bar.believed) features.push_back(feature_of(rays, bar));
+    double& published_to = published_to_[static_cast<std::size_t>(bar.chain)];
+    if (!bar.believed || bar.x < published_to + config_.feature_spacing) continue;
+    published_to = bar.x;
+    features.push_back(feature_of(rays, bar));
   }
 }
 

