@@ -42,7 +42,7 @@ CameraRenderer::CameraRenderer(const CameraIntrinsics& camera, const RenderConfi
       config_(config),
       light_(image_light(config.conditions)),
       textures_(std::make_shared<const SurfaceTextures>(config.seed)),
-      chip_({camera, light_, config.blur_px, config.noise, config.seed}) {}
+      chip_({camera, light_, config.blur_px, config.vignetting, config.noise, config.seed}) {}
 
 Image CameraRenderer::render(const Scene& scene, const Mounting& mounting) const {
   const CameraIntrinsics& camera = camera_.intrinsics();

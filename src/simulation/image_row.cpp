@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulation/bridges.hpp"
 #include "simulation/image_air.hpp"
 #include "simulation/roadside.hpp"
 #include "simulation/vehicle_faces.hpp"
@@ -29,6 +30,33 @@ ImageLight seen_through(ImageLight light, double visibility) {
 
 double distance_of(const GroundHit& hit) { return std::hypot(hit.x, hit.y); }
 
+bool in_sight(const SceneVehicle& vehicle, const Scene& scene) {
+  return std::abs(vehicle.station - scene.ego.station) < GroundRays::kGroundEnd;
+}
+
+/// Shadows and mirror images.
+std::vector<Face> faces_on_road(const ImageScene::View& view, const ImageLight& light) {
+  ImageFaces faces(view.camera, view.mounting, light);
+  for (const SceneVehicle& vehicle : view.scene.vehicles) {
+    if (!in_sight(vehicle, view.scene)) continue;
+    add_vehicle_shadow(vehicle, view.scene, faces);
+    if (light.mirror > 0) add_mirrored_vehicle(vehicle, view.scene, faces);
+  }
+  return std::move(faces).sorted();
+}
+
+std::vector<Face> upright_faces(const ImageScene::View& view, const RoadAhead& road, const ImageLight& light,
+                                std::uint64_t seed) {
+  ImageFaces faces(view.camera, view.mounting, light);
+  for (const SceneVehicle& vehicle : view.scene.vehicles) {
+    if (in_sight(vehicle, view.scene)) add_vehicle(vehicle, view.scene, faces);
+  }
+  add_guard_rails(view.scene, road, faces);
+  add_trees(view.scene, road, seed, faces);
+  add_bridges(view.scene, road, seed, faces);
+  return std::move(faces).sorted();
+}
+
 }  // namespace
 
 ImageScene::ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
@@ -40,20 +68,11 @@ ImageScene::ImageScene(const View& view, const RenderConfig& config, const Image
       rays_(view.camera, view.mounting, road_),
       surface_(view.scene, road_, textures, light.asphalt, config.texture),
       paint_(view.scene, road_, textures, {light.paint, config.wear, config.texture}),
+      shade_(view.scene, textures, light_, config.seed),
       backdrop_(rays_, view.camera.intrinsics(), light_, textures.wear,
-                view.scene.ego.world_from_vehicle.heading) {
-  ImageFaces shadows(view.camera, view.mounting, light_);
-  ImageFaces faces(view.camera, view.mounting, light_);
-  for (const SceneVehicle& vehicle : view.scene.vehicles) {
-    if (std::abs(vehicle.station - view.scene.ego.station) > GroundRays::kGroundEnd) continue;
-    add_vehicle_shadow(vehicle, view.scene, shadows);
-    add_vehicle(vehicle, view.scene, faces);
-  }
-  add_guard_rails(view.scene, road_, faces);
-  add_trees(view.scene, road_, config.seed, faces);
-  shadows_ = std::move(shadows).sorted();
-  faces_ = std::move(faces).sorted();
-}
+                view.scene.ego.world_from_vehicle.heading),
+      on_road_(faces_on_road(view, light_), view.camera.intrinsics().height),
+      faces_(upright_faces(view, road_, light_, config.seed), view.camera.intrinsics().height) {}
 
 ImageRowPainter::ImageRowPainter(const ImageScene& scene)
     : scene_(&scene), coverage_(scene.width_), albedo_(static_cast<std::size_t>(scene.width_ + kSegment)) {}
@@ -98,40 +117,39 @@ void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixe
   }
 }
 
+Footprint ImageRowPainter::footprint(std::size_t node) const {
+  return {std::abs(far_[node].way - near_[node].way),
+          std::abs(place(node + 1).lateral - place(node).lateral) / kSegment};
+}
+
+RoadPlace ImageRowPainter::place(std::size_t node) const {
+  return {(far_[node].way + near_[node].way) / 2, (far_[node].lateral + near_[node].lateral) / 2};
+}
+
 void ImageRowPainter::paint_ground(Colour* pixels) {
-  const auto place = [this](std::size_t i) {
-    return RoadPlace{(far_[i].way + near_[i].way) / 2, (far_[i].lateral + near_[i].lateral) / 2};
-  };
-  const auto nodes = static_cast<int>(near_.size());
-  for (int node = 0; node + 1 < nodes; ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    if (!near_[i].ground || !near_[i + 1].ground) continue;
-    const RoadPlace from = place(i);
-    const RoadPlace to = place(i + 1);
-    const Footprint footprint{std::abs(far_[i].way - near_[i].way),
-                              std::abs(to.lateral - from.lateral) / kSegment};
-    scene_->surface_.shade(from, to, footprint, kSegment, &albedo_[i * kSegment]);
+  const auto shows_ground = [this](std::size_t i) { return near_[i].ground && near_[i + 1].ground; };
+  for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
+    if (!shows_ground(i)) continue;
+    scene_->surface_.shade(place(i), place(i + 1), footprint(i), kSegment, &albedo_[i * kSegment]);
   }
   scene_->paint_.lay({&far_, &near_}, coverage_, albedo_.data());
-  for (int node = 0; node + 1 < nodes; ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    if (!near_[i].ground || !near_[i + 1].ground) continue;
-    light_segment(node, &albedo_[i * kSegment], pixels + i * kSegment);
+  for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
+    if (!shows_ground(i)) continue;
+    Colour* const albedo = &albedo_[i * kSegment];
+    scene_->shade_.lay(place(i), place(i + 1), footprint(i), kSegment, albedo);
+    light_segment(static_cast<int>(i), albedo, pixels + i * kSegment);
   }
 }
 
 void ImageRowPainter::paint(int v, Colour* pixels) {
   cast(v);
-  const bool all_ground =
-      std::all_of(near_.begin(), near_.end(), [](const GroundHit& hit) { return hit.ground; });
-  const bool any_ground =
-      std::any_of(near_.begin(), near_.end(), [](const GroundHit& hit) { return hit.ground; });
-  if (!all_ground) scene_->backdrop_.draw_row(v, pixels);
-  if (any_ground) {
+  const auto is_ground = [](const GroundHit& hit) { return hit.ground; };
+  if (!std::all_of(near_.begin(), near_.end(), is_ground)) scene_->backdrop_.draw_row(v, pixels);
+  if (std::any_of(near_.begin(), near_.end(), is_ground)) {
     paint_ground(pixels);
-    for (const Face& shadow : scene_->shadows_) draw_row(shadow, v, coverage_, pixels);
+    scene_->on_road_.draw_row(v, coverage_, pixels);
   }
-  for (const Face& face : scene_->faces_) draw_row(face, v, coverage_, pixels);
+  scene_->faces_.draw_row(v, coverage_, pixels);
 }
 
 }  // namespace lanefuse

@@ -7,6 +7,7 @@
 
 #include "simulation/camera_renderer.hpp"
 #include "simulation/ground_rays.hpp"
+#include "simulation/ground_shade.hpp"
 #include "simulation/image_backdrop.hpp"
 #include "simulation/image_faces.hpp"
 #include "simulation/road_ahead.hpp"
@@ -37,9 +38,10 @@ class ImageScene {
   GroundRays rays_;
   RoadSurface surface_;
   RoadPaint paint_;
+  GroundShade shade_;
   ImageBackdrop backdrop_;
-  std::vector<Face> shadows_;
-  std::vector<Face> faces_;
+  FacesByRow on_road_;  ///< shadows and mirror images
+  FacesByRow faces_;
 };
 
 /// Paints rows of a scene from top to bottom, one after the other.
@@ -59,6 +61,9 @@ class ImageRowPainter {
   std::vector<Colour> albedo_;
 
   void cast(int v);
+  /// Of the middle of the row, at a segment's end.
+  [[nodiscard]] RoadPlace place(std::size_t node) const;
+  [[nodiscard]] Footprint footprint(std::size_t node) const;
   void paint_ground(Colour* pixels);
   void light_segment(int node, const Colour* albedo, Colour* pixels) const;
 };

@@ -3,158 +3,136 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "camera/camera_model.hpp"
 #include "camera/ground_projection.hpp"
 #include "camera/image.hpp"
 #include "core/clothoid.hpp"
 #include "core/random.hpp"
 
-namespace lanefuse::testing {
+namespace lanefuse {
 
-/// A line of paint beside the road's course.
-struct PaintedLine {
-  double lateral = 0;  ///< [m]
-  double width = 0.15;
-  double dash = 0;  ///< [m] of paint; 0 for a solid line
-  double gap = 0;
-  double phase = 0;        ///< [m]
-  double brightness = 60;  ///< [grey levels] over the road's
-  bool yellow = false;
-};
-
-/// A plain road as a camera sees it: asphalt with noise, and paint whose share of every pixel is exact.
-struct PaintedRoad {
-  Clothoid course;
-  std::vector<PaintedLine> lines;
-  double asphalt = 90;
-  double noise = 3;
-  double blur_px = 0.7;
-
-  [[nodiscard]] double y(const PaintedLine& line, double x) const { return course.y(x) + line.lateral; }
-  [[nodiscard]] static bool painted(const PaintedLine& line, double x) {
-    if (line.dash <= 0) return true;
-    const double period = line.dash + line.gap;
-    const double at = x - line.phase;
-    return at - period * std::floor(at / period) < line.dash;
-  }
-};
-
-/// Three lanes, solid edges, dashes between.
-inline PaintedRoad motorway(Random& random) {
-  PaintedRoad road;
-  road.course = {random.uniform(-0.5, 0.5), random.uniform(-0.02, 0.02), random.uniform(-4e-4, 4e-4),
-                 random.uniform(-2e-6, 2e-6)};
-  const double lane = random.uniform(3.5, 3.75);
-  const double brightness = random.uniform(40, 90);
-  for (int i = 0; i < 4; ++i) {
-    PaintedLine line;
-    line.lateral = (i - 1.5 + random.uniform(-0.05, 0.05)) * lane;
-    line.brightness = brightness;
-    if (i == 0 || i == 3) {
-      line.width = 0.30;
-    } else {
-      line.dash = 6;
-      line.gap = 12;
-      line.phase = random.uniform(0, 18);
-    }
-    road.lines.push_back(line);
-  }
-  return road;
+/// The serial camera of the paper, looking along the road from where a rear-view mirror is.
+inline CameraIntrinsics serial_camera() {
+  return {1176, 640, 1179, 1179, 587.5, 319.5, {-0.05, 0.01, 0, 0, 0}};
 }
 
+inline Mounting usual_mounting() { return {0, 0, 1.25, 0, 0.01, 0}; }
+
+/// A line of paint, by its middle, in the vehicle frame of one image.
+struct PaintedLine {
+  Clothoid middle;
+  double width = 0.15;                                ///< [m]
+  double mark = 0;                                    ///< [m] of paint in every `period`; 0: solid
+  double period = 18;                                 ///< [m]
+  double phase = 0;                                   ///< [m] where along x a mark begins
+  std::array<std::uint8_t, 3> colour{220, 220, 220};  ///< blue, green, red
+};
+
+/// The lines of a road with lanes of one width, the car in the ego lane; dashed but for the outermost.
+inline std::vector<PaintedLine> painted_lanes(const Clothoid& ego_middle, double pitch_of_lines, int to_left,
+                                              int to_right) {
+  std::vector<PaintedLine> lines;
+  for (int i = -to_right; i <= to_left + 1; ++i) {
+    PaintedLine line;
+    line.middle = ego_middle;
+    line.middle.lateral_offset += (i - 0.5) * pitch_of_lines;
+    if (i > -to_right && i < to_left + 1) line.mark = 6;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Paints images of a road without texture, with area-true columns.
 class RoadPainter {
  public:
-  RoadPainter(const CameraModel& camera, std::uint64_t seed) : camera_(camera), random_(seed, "asphalt") {
-    for (float& noise : noise_) noise = static_cast<float>(random_.normal(1));
+  explicit RoadPainter(const CameraIntrinsics& intrinsics)
+      : camera_(intrinsics), image_(intrinsics.width, intrinsics.height, 3) {
+    Random random(11, "grain");
+    for (float& grain : grain_) grain = static_cast<float>(random.normal(1));
   }
 
-  Image paint(const PaintedRoad& road, const CameraPose& pose) {
-    const int width = camera_.intrinsics().width;
-    const int height = camera_.intrinsics().height;
+  const Image& paint(const CameraPose& pose, const std::vector<PaintedLine>& lines, double noise = 0) {
     const GroundProjection projection(camera_, pose);
-    Image image(width, height, 3);
-    std::vector<float> grey(static_cast<std::size_t>(width) * height);
-    std::vector<float> yellow(grey.size());
-    for (int v = 0; v < height; ++v) {
-      float* row = grey.data() + static_cast<std::ptrdiff_t>(v) * width;
-      std::fill(row, row + width, static_cast<float>(road.asphalt));
-      for (const PaintedLine& line : road.lines) {
-        paint_row(road, line, projection, v, row, yellow.data() + static_cast<std::ptrdiff_t>(v) * width);
-      }
+    const int horizon = static_cast<int>(projection.horizon_row(camera_.intrinsics().cx));
+    for (int v = 0; v < image_.height(); ++v) {
+      const std::uint8_t shade = v < horizon ? 180 : kRoad;
+      std::fill_n(image_.row(v), image_.width() * 3, shade);
     }
-    blur(grey, width, height, road.blur_px);
-    blur(yellow, width, height, road.blur_px);
-    for (int v = 0; v < height; ++v) {
-      std::size_t at = random_.bits() % noise_.size();
-      for (int u = 0; u < width; ++u) {
-        const std::size_t i = static_cast<std::size_t>(v) * width + u;
-        for (int c = 0; c < 3; ++c) {
-          const double level = grey[i] - (c == 0 ? yellow[i] : 0) + road.noise * noise_[at];
-          at = (at + 1) % noise_.size();
-          image.row(v)[3 * u + c] = static_cast<std::uint8_t>(std::clamp(level + 0.5, 0.0, 255.0));
-        }
-      }
-    }
-    return image;
+    for (const PaintedLine& line : lines) paint_line(projection, line);
+    if (noise > 0) add_noise(noise);
+    return image_;
   }
 
  private:
-  static constexpr int kRowParts = 12;
+  static constexpr std::uint8_t kRoad = 90;
+  static constexpr double kNearest = 3;
+  static constexpr double kFarthest = 150;
   CameraModel camera_;
-  Random random_;
-  std::array<float, 65521> noise_{};
+  Image image_;
+  std::array<float, 4099> grain_{};
 
-  void paint_row(const PaintedRoad& road, const PaintedLine& line, const GroundProjection& projection, int v,
-                 float* row, float* yellow) const {
-    for (int part = 0; part < kRowParts; ++part) {
-      const double at = v - 0.5 + (part + 0.5) / kRowParts;
-      double edges[2];
-      double x = 0;
-      bool seen = true;
-      for (int side = 0; side < 2 && seen; ++side) {
-        edges[side] = camera_.intrinsics().cx;
-        for (int i = 0; i < 6 && seen; ++i) {
-          const auto ground = projection.ground({edges[side], at});
-          seen = ground && ground->x() < 400;
-          if (!seen) break;
-          x = ground->x();
-          const double y =
-              road.y(line, x) + (side == 0 ? 0.5 : -0.5) * line.width * std::hypot(1, road.course.slope(x));
-          const auto pixel = projection.pixel({x, y});
-          seen = pixel.has_value();
-          if (seen) edges[side] = pixel->x();
-        }
-      }
-      if (!seen || !PaintedRoad::painted(line, x)) continue;
-      const int begin = std::max(0, static_cast<int>(std::floor(edges[0] + 0.5)));
-      const int end = std::min(camera_.intrinsics().width - 1, static_cast<int>(std::floor(edges[1] + 0.5)));
-      for (int u = begin; u <= end; ++u) {
-        const double share = std::min(edges[1], u + 0.5) - std::max(edges[0], u - 0.5);
-        row[u] += static_cast<float>(share * line.brightness / kRowParts);
-        if (line.yellow) yellow[u] += static_cast<float>(share * 1.2 * line.brightness / kRowParts);
+  /// Where a curve crosses the row: distance and column.
+  static std::optional<Eigen::Vector2d> crossing(const GroundProjection& projection, const Clothoid& curve,
+                                                 double aside, double row) {
+    double near = kNearest;
+    double far = kFarthest;
+    const auto row_at = [&](double x) {
+      const auto pixel = projection.pixel({x, curve.y(x) + aside});
+      return pixel ? pixel->y() : 1e9;
+    };
+    if (row_at(near) < row || row_at(far) > row) return {};
+    for (int i = 0; i < 26; ++i) {
+      const double middle = (near + far) / 2;
+      (row_at(middle) > row ? near : far) = middle;
+    }
+    return Eigen::Vector2d(near, projection.pixel({near, curve.y(near) + aside})->x());
+  }
+
+  void paint_line(const GroundProjection& projection, const PaintedLine& line) {
+    constexpr int kParts = 3;
+    for (int v = 0; v < image_.height(); ++v) {
+      for (int part = 0; part < kParts; ++part) {
+        const double row = v + (part + 0.5) / kParts - 0.5;
+        const auto left = crossing(projection, line.middle, line.width / 2, row);
+        const auto right = crossing(projection, line.middle, -line.width / 2, row);
+        if (!left || !right) continue;
+        if (line.mark > 0 && std::fmod(left->x() - line.phase + 1000 * line.period, line.period) >= line.mark)
+          continue;
+        cover(v, left->y(), right->y(), 1.0 / kParts, line.colour);
       }
     }
   }
 
-  static void blur(std::vector<float>& pixels, int width, int height, double sigma) {
-    if (sigma <= 0) return;
-    const auto side = static_cast<float>(std::exp(-0.5 / (sigma * sigma)));
-    const auto far = static_cast<float>(std::exp(-2 / (sigma * sigma)));
-    const float sum = 1 + 2 * side + 2 * far;
-    const float kernel[] = {1 / sum, side / sum, far / sum};
-    std::vector<float> source = pixels;
-    for (const std::ptrdiff_t step : {std::ptrdiff_t{1}, static_cast<std::ptrdiff_t>(width)}) {
-      for (std::size_t i = 2 * width; i + 2 * width < pixels.size(); ++i) {
-        const float* s = source.data() + i;
-        pixels[i] =
-            kernel[0] * s[0] + kernel[1] * (s[-step] + s[step]) + kernel[2] * (s[-2 * step] + s[2 * step]);
+  void cover(int v, double begin, double end, double part, const std::array<std::uint8_t, 3>& colour) {
+    const int first = std::max(0, static_cast<int>(std::floor(begin + 0.5)));
+    const int last = std::min(image_.width() - 1, static_cast<int>(std::floor(end + 0.5)));
+    for (int u = first; u <= last; ++u) {
+      const double covered = std::min(end, u + 0.5) - std::max(begin, u - 0.5);
+      for (int c = 0; c < 3; ++c) {
+        std::uint8_t& value = image_.row(v)[3 * u + c];
+        const double change = (colour[static_cast<std::size_t>(c)] - kRoad) * covered * part;
+        value = static_cast<std::uint8_t>(std::clamp(value + change + 0.5, 0.0, 255.0));
       }
-      source = pixels;
     }
-    (void)height;
+  }
+
+  void add_noise(double noise) {
+    std::size_t next = 0;
+    for (int v = 0; v < image_.height(); ++v) {
+      std::uint8_t* pixel = image_.row(v);
+      for (int i = 0; i < image_.width() * 3; ++i) {
+        pixel[i] = static_cast<std::uint8_t>(
+            std::clamp(pixel[i] + noise * static_cast<double>(grain_[next]), 0.0, 255.0));
+        next = (next + 1) % grain_.size();
+      }
+    }
   }
 };
 
-}  // namespace lanefuse::testing
+}  // namespace lanefuse
