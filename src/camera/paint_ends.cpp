@@ -12,7 +12,7 @@ namespace {
 constexpr double kSigmaInside = 0.03;       ///< [rows] of paint that fills its row
 constexpr double kSigmaAlone = 0.45;        ///< [sigma of a row's view] of a bar without a chain
 constexpr double kSigmaOfFill = 0.12;       ///< of the share of a row that is paint: paint varies
-constexpr double kSigmaOfShortFill = 0.25;  ///< the same where the chain is too short to show a full row
+constexpr double kSigmaOfShortFill = 0.4;  ///< the same where the chain is too short to show a full row
 constexpr double kSigmaOfShift = 0.25;      ///< share of the shift that may be wrong
 
 constexpr double kLeastFill = 0.25;  ///< of a row: with less paint its place is a guess
