@@ -41,6 +41,20 @@ std::vector<std::uint8_t> bars(const std::vector<int>& row) {
   return found;
 }
 
+/// How much of the columns' paint comes again with one period.
+struct Coherence {
+  double power = 0;
+  double weighted = 0;  ///< each column's power by the share of its variance that this is
+
+  void add(double column_power, double column_mean) {
+    const double variance = column_mean * (1 - column_mean);
+    if (!(variance > 0)) return;
+    power += column_power;
+    weighted += column_power * column_power / variance;
+  }
+  [[nodiscard]] double mean() const { return power > 0 ? weighted / power : 0; }
+};
+
 }  // namespace
 
 DashPeriodMeter::DashPeriodMeter(const CameraIntrinsics& intrinsics, const DashPeriodConfig& config)
@@ -78,11 +92,10 @@ std::optional<DashPeriodMeter::Peak> DashPeriodMeter::peak(std::size_t begin, st
   for (std::size_t s = begin; s < end; ++s) {
     for (std::size_t c = 0; c < columns; ++c) means[c] += paint_[s * columns + c] / count;
   }
-  double variance = 0;
-  for (const double mean : means) variance += mean * (1 - mean);
   const double shortest = config_.expected * (1 - config_.tolerance);
   const double step = 2 * config_.tolerance * config_.expected / kPeriods;
   std::vector<double> powers;
+  std::vector<double> coherences;
   for (int i = 0; i <= kPeriods; ++i) {
     const double turn = 2 * std::numbers::pi * kWayStep / (shortest + i * step);
     std::vector<std::complex<double>> sums(columns);
@@ -90,15 +103,19 @@ std::optional<DashPeriodMeter::Peak> DashPeriodMeter::peak(std::size_t begin, st
       const std::complex<double> phase = std::polar(1.0, turn * static_cast<double>(s));
       for (std::size_t c = 0; c < columns; ++c) sums[c] += (paint_[s * columns + c] - means[c]) * phase;
     }
-    double power = 0;
-    for (const std::complex<double>& sum : sums) power += std::norm(sum) / (count * count);
-    powers.push_back(power);
+    // Columns count by how much of them comes again: most show no dashes, or solid lines.
+    Coherence all;
+    for (std::size_t c = 0; c < columns; ++c) all.add(std::norm(sums[c]) / (count * count), means[c]);
+    powers.push_back(all.weighted);
+    coherences.push_back(all.mean());
   }
   const auto best = std::max_element(powers.begin() + 1, powers.end() - 1);
   const double bend = best[-1] - 2 * best[0] + best[1];
   if (!(bend < 0)) return {};
   const double offset = 0.5 * (best[-1] - best[1]) / bend;
-  return Peak{shortest + step * (static_cast<double>(best - powers.begin()) + offset), *best / variance};
+  const auto index = best - powers.begin();
+  return Peak{shortest + step * (static_cast<double>(index) + offset),
+              coherences[static_cast<std::size_t>(index)]};
 }
 
 std::optional<DashPeriod> DashPeriodMeter::measure() const {
@@ -110,7 +127,7 @@ std::optional<DashPeriod> DashPeriodMeter::measure() const {
   const auto whole = peak(0, steps);
   if (!whole || whole->coherence < kLeastCoherence) return {};
   // What a phase error of a twentieth of a period at both ends does; the halves' disagreement, if larger.
-  DashPeriod result{.period = whole->period, .sigma = 0.07 * whole->period * whole->period / length};
+  DashPeriod result{.period = whole->period, .sigma = 0.1 * whole->period * whole->period / length};
   const auto first = peak(0, steps / 2);
   const auto second = peak(steps / 2, steps);
   if (first && second) {

@@ -46,7 +46,7 @@ class DashPeriodMeter {
 
   struct Peak {
     double period = 0;
-    double coherence = 0;  ///< the share of the paint's variance that has this period; of perfect dashes .27
+    double coherence = 0;  ///< the share of the columns' variance that has this period; of perfect dashes .27
   };
   [[nodiscard]] std::optional<Peak> peak(std::size_t begin, std::size_t end) const;
 };

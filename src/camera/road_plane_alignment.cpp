@@ -3,8 +3,10 @@
 #include "camera/road_plane_alignment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -53,6 +55,31 @@ Sample sample(const NumberImage& image, float x, float y) {
 /// The places before of one cell's corners: upper left, upper right, lower left, lower right.
 using Corners = std::array<Eigen::Vector2f, 4>;
 
+/// The corners' places of one cell, if the image before holds all of them.
+std::optional<Corners> corners_of(const NumberImage& before, const std::vector<RoadPlaneWarp::Node>& nodes,
+                                  int columns, const Eigen::Vector2i& cell) {
+  const RoadPlaneWarp::Node* upper = &nodes[static_cast<std::size_t>(cell.y() * (columns + 1) + cell.x())];
+  const RoadPlaneWarp::Node* lower = upper + columns + 1;
+  if (!upper[0].on_road || !upper[1].on_road || !lower[0].on_road || !lower[1].on_road) return {};
+  const Corners corners{upper[0].before, upper[1].before, lower[0].before, lower[1].before};
+  const bool all = std::all_of(corners.begin(), corners.end(),
+                               [&](const Eigen::Vector2f& place) { return inside(before, place); });
+  return all ? std::optional(corners) : std::nullopt;
+}
+
+/// Calls visit(column, row, x, y) for each pixel of a cell and its place in the image before.
+template <typename Visit>
+void for_each_pixel(const Corners& corners, Visit visit) {
+  for (int j = 0; j < kCell; ++j) {
+    const float b = static_cast<float>(j) / kCell;
+    const Eigen::Vector2f first = corners[0] + b * (corners[2] - corners[0]);
+    const Eigen::Vector2f step = (corners[1] + b * (corners[3] - corners[1]) - first) / kCell;
+    for (int i = 0; i < kCell; ++i) {
+      visit(i, j, first.x() + static_cast<float>(i) * step.x(), first.y() + static_cast<float>(i) * step.y());
+    }
+  }
+}
+
 CellMatch match_cell(const NumberImage& before, const NumberImage& now, int left, int top,
                      const Corners& corners) {
   CellMatch match;
@@ -60,25 +87,18 @@ CellMatch match_cell(const NumberImage& before, const NumberImage& now, int left
   float square_now = 0;
   float square_before = 0;
   float product = 0;
-  for (int j = 0; j < kCell; ++j) {
-    const float b = static_cast<float>(j) / kCell;
-    const Eigen::Vector2f first = corners[0] + b * (corners[2] - corners[0]);
-    const Eigen::Vector2f step = (corners[1] + b * (corners[3] - corners[1]) - first) / kCell;
-    const float* pixel = now.row(top + j) + left;
-    for (int i = 0; i < kCell; ++i) {
-      const float x = first.x() + static_cast<float>(i) * step.x();
-      const float y = first.y() + static_cast<float>(i) * step.y();
-      const Sample old = sample(before, x, y);
-      const float difference = pixel[i] - old.value;
-      square_now += pixel[i] * pixel[i];
-      square_before += old.value * old.value;
-      product += pixel[i] * old.value;
-      match.curvature(0, 0) += old.along * old.along;
-      match.curvature(0, 1) += old.along * old.down;
-      match.curvature(1, 1) += old.down * old.down;
-      match.slope += difference * Eigen::Vector2f(old.along, old.down);
-    }
-  }
+  for_each_pixel(corners, [&](int i, int j, float x, float y) {
+    const float pixel = now.row(top + j)[left + i];
+    const Sample old = sample(before, x, y);
+    const float difference = pixel - old.value;
+    square_now += pixel * pixel;
+    square_before += old.value * old.value;
+    product += pixel * old.value;
+    match.curvature(0, 0) += old.along * old.along;
+    match.curvature(0, 1) += old.along * old.down;
+    match.curvature(1, 1) += old.down * old.down;
+    match.slope += difference * Eigen::Vector2f(old.along, old.down);
+  });
   match.curvature(1, 0) = match.curvature(0, 1);
   match.energy = square_now / kCellPixels;
   match.residual = std::max(0.0F, square_now - 2 * product + square_before) / kCellPixels;
@@ -158,15 +178,27 @@ std::vector<CellMatch> match_cells(const RoadPair& pair, const std::vector<RoadP
     if (pair.believed[i] == 0) continue;
     const int column = static_cast<int>(i) % columns;
     const int row = static_cast<int>(i) / columns;
-    const auto* upper = &corners[static_cast<std::size_t>(row * (columns + 1) + column)];
-    const auto* lower = upper + columns + 1;
-    const Corners before{upper[0].before, upper[1].before, lower[0].before, lower[1].before};
-    const bool seen = upper[0].on_road && upper[1].on_road && lower[0].on_road && lower[1].on_road &&
-                      std::all_of(before.begin(), before.end(),
-                                  [&](const Eigen::Vector2f& place) { return inside(pair.before, place); });
-    if (seen) matches[i] = match_cell(pair.before, pair.now, column * kCell, row * kCell, before);
+    const auto before = corners_of(pair.before, corners, columns, {column, row});
+    if (before) matches[i] = match_cell(pair.before, pair.now, column * kCell, row * kCell, *before);
   }
   return matches;
+}
+
+NumberImage plane_residual(const RoadPlaneWarp& warp, const NumberImage& before, const NumberImage& now,
+                           const std::vector<RoadPlaneWarp::Node>& corners) {
+  NumberImage residual(now.width, now.height);
+  for (int row = 0; row < warp.rows(); ++row) {
+    for (int column = 0; column < warp.columns(); ++column) {
+      const auto places = corners_of(before, corners, warp.columns(), {column, row});
+      if (!places) continue;
+      for_each_pixel(*places, [&](int i, int j, float x, float y) {
+        const int v = row * kCell + j;
+        const int u = column * kCell + i;
+        residual.row(v)[u] = std::abs(now.row(v)[u] - sample(before, x, y).value);
+      });
+    }
+  }
+  return residual;
 }
 
 RoadPlaneAlignment align_road_plane(const RoadPair& pair, const CameraPose& pose, const MotionGuess& guess) {

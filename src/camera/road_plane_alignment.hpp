@@ -45,6 +45,11 @@ struct RoadPlaneAlignment {
   std::vector<CellMatch> matches;  ///< under that motion
 };
 
+/// How much each pixel differs from the image before, moved as the road; 0 where there is no road. Little
+/// where the road is, much where something stands on it.
+NumberImage plane_residual(const RoadPlaneWarp& warp, const NumberImage& before, const NumberImage& now,
+                           const std::vector<RoadPlaneWarp::Node>& corners);
+
 /// What is known of the motion beforehand, and where the search for it starts.
 struct MotionGuess {
   Gaussian<PlaneMotion::kSize> prior;

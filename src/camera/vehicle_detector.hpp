@@ -13,7 +13,7 @@ namespace lanefuse {
 
 struct VehicleDetectorConfig {
   double nearest = 5;         ///< [m] along x to the rear of a vehicle
-  double farthest = 70;       ///< [m]
+  double farthest = 55;       ///< [m]
   double widest_view = 11;    ///< [m] to either side; what stands further off is beside the road
   double narrowest = 1.4;     ///< [m] a vehicle
   double widest = 2.7;        ///< [m]
