@@ -50,7 +50,7 @@ Image CameraRenderer::render(const Scene& scene, const Mounting& mounting) const
   const ImageScene prepared({scene, camera_, mounting}, config_, light_, *textures_);
   // The rows near the horizon cost most, so every thread takes many small bands, in turn.
   const int threads = std::max(1, config_.threads);
-  constexpr int kBand = 32;
+  constexpr int kBand = 64;
   const auto work = [&](int thread) {
     for (int first = thread * kBand; first < camera.height; first += threads * kBand) {
       render_rows(prepared, chip_, {first, std::min(first + kBand, camera.height)}, image);

@@ -34,6 +34,7 @@ class ImageScene {
   Time time_;
   int width_;
   ImageLight light_;
+  double sun_bearing_;  ///< [rad] in the vehicle frame
   RoadAhead road_;
   GroundRays rays_;
   RoadSurface surface_;
@@ -65,6 +66,7 @@ class ImageRowPainter {
   [[nodiscard]] RoadPlace place(std::size_t node) const;
   [[nodiscard]] Footprint footprint(std::size_t node) const;
   void paint_ground(Colour* pixels);
+  [[nodiscard]] float mirrored(const GroundHit& hit) const;
   void light_segment(int node, const Colour* albedo, Colour* pixels) const;
 };
 
