@@ -9,12 +9,18 @@ namespace lanefuse {
 namespace {
 
 constexpr double kWidestPart = 0.35;  ///< of the lane: a window never reaches the next marking
-constexpr double kSharp = 5;          ///< [px] from here on a bar's edges are told apart by blur no longer
+constexpr double kSharp = 5;          ///< [px] narrower bars are as wide as the blur makes them
 
 /// Where the inner edge of a bar is [px].
 double inner_edge(const PaintBar& bar, Side side, double marking_width_px) {
   const double middle = (bar.left + bar.right) / 2;
-  const double half = bar.right - bar.left > kSharp ? (bar.right - bar.left) / 2 : marking_width_px / 2;
+  const double expected = marking_width_px / 2;
+  // Colour is blurred more than brightness, and what is bright beside the paint widens it.
+  constexpr double kUnlike = 0.25;
+  const double half =
+      bar.right - bar.left > kSharp
+          ? std::clamp((bar.right - bar.left) / 2, (1 - kUnlike) * expected, (1 + kUnlike) * expected)
+          : expected;
   return side == Side::left ? middle + half : middle - half;
 }
 
