@@ -119,9 +119,8 @@ void BarChains::head(std::vector<PaintBar>& bars, const BarChain& chain) const {
     const auto add = [&](int at) {
       const PaintBar& other = bars[static_cast<std::size_t>(at)];
       if (std::abs(other.x - bar.x) > base) return false;
-      // Paint may end within the row of a chain's end.
-      const bool ends = other.previous < 0 || other.next < 0;
-      const double variance = ends ? place_variance(other) : other.y_sigma * other.y_sigma;
+      const double shifted = other.per_pixel(1, 1) * other.row_sigma;
+      const double variance = other.y_sigma * other.y_sigma + shifted * shifted;
       sums.add(1 / variance, other.x - bar.x, other.y - bar.y);
       return true;
     };
@@ -180,8 +179,11 @@ const std::vector<BarChain>& BarChains::link(std::vector<PaintBar>& bars, int pl
     join_row(bars, begin, end);
   }
   collect(bars);
-  for (const BarChain& chain : chains_) head(bars, chain);
   return chains_;
+}
+
+void BarChains::measure_headings(std::vector<PaintBar>& bars) const {
+  for (const BarChain& chain : chains_) head(bars, chain);
 }
 
 }  // namespace lanefuse

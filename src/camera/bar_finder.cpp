@@ -100,7 +100,7 @@ BarFinder::Side BarFinder::flank(const RowSignal& signal, int from, int to) cons
 
 void BarFinder::measure(const RowSignal& signal, int rising, int falling) {
   const int width = falling - rising;
-  const int margin = std::min((width + 1) / 2, 3) + 1;  // what blur and slant take
+  const int margin = std::min((width + 1) / 2, 6) + 1;  // what blur and slant take
   const int reach = std::clamp(width, 4, 24);
   const Side left = flank(signal, rising - margin - reach, rising - margin);
   const Side right = flank(signal, falling + margin, falling + margin + reach);
@@ -146,6 +146,7 @@ void BarFinder::measure(const RowSignal& signal, int rising, int falling) {
     const double moments = count * count * count / 12.0;
     const double of_flanks = count * count * count * count / 64.0 * (1.0 / left.count + 1.0 / right.count);
     bar.sigma = noise * std::sqrt(moments + of_flanks) / area;
+    bar.area = area / signal.rows();
   } else {
     const int reach_in = std::min(width / 2, margin + 12);
     const Side inner_left = flank(signal, rising + margin, rising + margin + std::max(3, width / 3));
@@ -163,13 +164,14 @@ void BarFinder::measure(const RowSignal& signal, int rising, int falling) {
     const double window = 2.0 * margin;
     const double edge = window + window * window / 4 * (1.0 / left.count + 1.0 / inner_left.count);
     bar.sigma = noise / contrast * std::sqrt(edge / 2);
+    bar.area = bar.contrast * (bar.right - bar.left);
   }
   bars_.push_back(bar);
 }
 
 const std::vector<RowBar>& BarFinder::find(const RowSignal& signal, const PlannedRow& row, double slant) {
   bars_.clear();
-  step_ = std::clamp(static_cast<int>(0.4 * kThinPaint * row.scale), 1, kWidestStep);
+  step_ = std::clamp(static_cast<int>(std::lround(0.9 * kThinPaint * row.scale)), 2, kWidestStep);
   if (signal.end() - signal.begin() <= 4 * step_ || row.scale <= 0) return bars_;
   differentiate(signal);
   measure_noise(signal, row);

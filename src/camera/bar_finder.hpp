@@ -27,6 +27,7 @@ struct RowBar {
   double centre = 0;    ///< [px] of its paint
   double sigma = 0;     ///< [px] of the centre, from the noise around it
   double contrast = 0;  ///< [grey levels]
+  double area = 0;      ///< [grey levels px] of all its paint
   double noise = 0;  ///< [grey levels] of a pixel here, as far as it does not average out over a few of them
 };
 

@@ -6,17 +6,19 @@
 #include <cmath>
 
 #include "camera/marking_covariance.hpp"
+#include "camera/paint_ends.hpp"
 #include "camera/paint_judge.hpp"
 #include "camera/row_plan.hpp"
 
 namespace lanefuse {
 namespace {
 
-constexpr double kSlantLateral = 8;     ///< [m] to the side up to which slanted paint is not too wide
-constexpr double kBoxMargin = 0.06;     ///< of a vehicle's width, beside it
-constexpr double kShadowMargin = 0.12;  ///< of its height, below it
-constexpr double kRowShare = 0.29;      ///< of a row: sigma of where paint that ends within it lies
-constexpr double kYellow = 0.35;        ///< of the contrast: blue that is missing in yellow paint
+constexpr double kSlantLateral = 8;         ///< [m] to the side up to which slanted paint is not too wide
+constexpr double kBoxMargin = 0.06;         ///< of a vehicle's width, beside it
+constexpr double kShadowMargin = 0.12;      ///< of its height, below it
+constexpr double kPitchSigmaLeast = 0.002;  ///< [rad] no pose knows the pitch of one image better
+constexpr double kRowShare = 0.29;          ///< of a row: sigma of where paint that ends within it lies
+constexpr double kYellow = 0.35;            ///< of the contrast: blue that is missing in yellow paint
 
 bool hidden(const RowBar& bar, int row, std::span<const VehicleBox> vehicles) {
   return std::any_of(vehicles.begin(), vehicles.end(), [&](const VehicleBox& box) {
@@ -72,6 +74,7 @@ class MarkingExtractor::Stages {
         signal_(intrinsics.width),
         finder_(intrinsics.width, finder_config(config)),
         chains_(chains_config(config)),
+        ends_(config.blur_px),
         judge_({}) {
     rows_.reserve(static_cast<std::size_t>(intrinsics.height));
   }
@@ -88,6 +91,7 @@ class MarkingExtractor::Stages {
   RowSignal signal_;
   BarFinder finder_;
   BarChains chains_;
+  PaintEnds ends_;
   PaintJudge judge_;
   std::vector<PlannedRow> rows_;
   std::vector<PaintBar> bars_;
@@ -121,6 +125,7 @@ void MarkingExtractor::Stages::add_bar(const Input& input, const RoadRays& rays,
   bar.plan = plan;
   bar.row = row.row;
   bar.row_height = row.height();
+  bar.row_sigma = kRowShare * row.height();
   bar.x = hit->ground.x();
   bar.y = hit->ground.y();
   bar.per_pixel = hit->per_pixel;
@@ -151,8 +156,7 @@ Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const PaintBa
   feature.x = bar.x;
   feature.y = bar.y;
   feature.heading = bar.heading;
-  const bool ends = bar.previous < 0 || bar.next < 0;
-  const PixelSigma noise{sigma_px(bar), (ends ? kRowShare : 0.03) * bar.row_height};
+  const PixelSigma noise{sigma_px(bar), bar.row_sigma};
   feature.covariance = marking_covariance(rays, bar, noise, bar.heading_sigma);
   feature.confidence = std::clamp(0.95 - 0.6 * bar.x / 130, 0.1, 0.95);
   feature.marking = {judge_.type_of(bar), bar.colour};
@@ -163,7 +167,8 @@ void MarkingExtractor::Stages::publish(const RoadRays& rays) {
   features.clear();
   image_bars.clear();
   for (const PaintBar& bar : bars_) {
-    image_bars.push_back({bar.row, bar.bar.left, bar.bar.right, bar.believed});
+    image_bars.push_back({static_cast<double>(rows_[static_cast<std::size_t>(bar.plan)].row), bar.bar.left,
+                          bar.bar.right, bar.believed});
     if (bar.believed) features.push_back(feature_of(rays, bar));
   }
 }
@@ -177,8 +182,12 @@ void MarkingExtractor::Stages::extract(const Input& input) {
   const int plans = static_cast<int>(rows_.size());
   for (int i = 0; i < plans; ++i) look_at(input, rays, i);
   const std::vector<BarChain>& chains = chains_.link(bars_, plans);
+  chains_.measure_headings(bars_);
   pitch_sigma = std::sqrt(input.pose.covariance(2, 2));
-  judge_.judge(bars_, chains, std::max(pitch_sigma, 0.002) / input.pose.mounting.z);
+  judge_.find_lines(bars_, chains, std::max(pitch_sigma, kPitchSigmaLeast) / input.pose.mounting.z);
+  ends_.settle(bars_, chains, judge_.lines());
+  chains_.measure_headings(bars_);
+  judge_.judge(bars_, chains);
   publish(rays);
 }
 

@@ -8,10 +8,11 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kMeasurable = 6;      ///< [px] bars of this width and more show how they grow
-constexpr int kRowsToTell = 5;         ///< bars that tell whether something stands upright
-constexpr double kLongestDash = 14;    ///< [m]
-constexpr double kShortestSolid = 20;  ///< [m]
+constexpr double kMeasurable = 6;       ///< [px] bars of this width and more show how they grow
+constexpr double kTellingAngle = 0.03;  ///< [rad] between the road and a ray that chains can tell apart
+constexpr int kRowsToTell = 4;          ///< bars that tell whether something stands upright
+constexpr double kLongestDash = 14;     ///< [m]
+constexpr double kShortestSolid = 20;   ///< [m]
 
 const PaintBar& at(const std::vector<PaintBar>& bars, int i) { return bars[static_cast<std::size_t>(i)]; }
 
@@ -36,16 +37,21 @@ void PaintJudge::cut_into_pieces(const std::vector<PaintBar>& bars, const BarCha
   }
 }
 
-/// What stands on the road keeps its columns and its width from row to row, where paint tapers off.
+/// What stands on the road keeps its columns from row to row, as if it pointed at the camera, where paint
+/// runs along the road; straight ahead, where the two are one, it keeps its width.
 bool PaintJudge::stands_upright(const std::vector<PaintBar>& bars, const BarChain& chain) const {
   const PaintBar& first = at(bars, chain.first);
   const PaintBar& last = at(bars, chain.last);
+  if (chain.count < kRowsToTell) return false;
+  const double slope = (last.y - first.y) / (last.x - first.x);
+  const double x = (first.x + last.x) / 2;
+  const double y = (first.y + last.y) / 2;
+  const double upright = y / x;
+  const double along = lines_.slope(x, y);
+  if (std::abs(upright - along) > kTellingAngle) return std::abs(slope - upright) < std::abs(slope - along);
   const double width = first.bar.right - first.bar.left;
-  if (chain.count < kRowsToTell || width < kMeasurable || last.x < 1.25 * first.x) return false;
-  const double rows = first.row - last.row;
-  const double slant = std::abs(first.bar.centre - last.bar.centre) / rows;
-  const double growth = std::log(last.width / first.width) / std::log(last.x / first.x);
-  return slant < 0.3 && growth > 0.6;
+  if (width < kMeasurable || last.x < 1.25 * first.x) return false;
+  return std::log(last.width / first.width) > 0.6 * std::log(last.x / first.x);
 }
 
 /// Long and straight paint along the road is believed for itself.
@@ -72,7 +78,7 @@ void PaintJudge::judge_chain(std::vector<PaintBar>& bars, const BarChain& chain)
   const bool sure = runs_alone(bars, chain);
   for (int i = chain.first; i >= 0; i = at(bars, i).next) {
     PaintBar& bar = bars[static_cast<std::size_t>(i)];
-    bar.believed = sure || fits_a_line(bar, chain);
+    bar.believed = !bar.faint && (sure || fits_a_line(bar, chain));
     if (bar.believed && chain.count < 2) {
       bar.heading = std::atan(lines_.slope(bar.x, bar.y));
       bar.heading_sigma = config_.heading_gate;
@@ -111,10 +117,14 @@ MarkingType PaintJudge::type_of(const PaintBar& bar) const {
   return MarkingType::unknown;
 }
 
-void PaintJudge::judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma) {
+void PaintJudge::find_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains,
+                            double stretch_sigma) {
   pieces_.clear();
   for (const BarChain& chain : chains) cut_into_pieces(bars, chain);
   lines_.fit(pieces_, stretch_sigma);
+}
+
+void PaintJudge::judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains) {
   for (const BarChain& chain : chains) judge_chain(bars, chain);
   measure_lines(bars, chains);
 }

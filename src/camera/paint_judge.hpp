@@ -28,9 +28,12 @@ class PaintJudge {
  public:
   explicit PaintJudge(const PaintJudgeConfig& config) : config_(config), lines_(config.lines) {}
 
+  /// Finds the lines that the chains make. `stretch_sigma` [1/m]: the pose's pitch sigma over the camera's
+  /// height.
+  void find_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
+
   /// Marks bars as believed. A far bar without a chain takes its heading from its line.
-  /// `stretch_sigma` [1/m]: the pose's pitch sigma over the camera's height.
-  void judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
+  void judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains);
 
   [[nodiscard]] const ParallelLines& lines() const { return lines_; }
   /// Solid or dashed, as far as the believed chains of the line through a bar tell.

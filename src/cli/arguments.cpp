@@ -119,6 +119,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_graph(*line);
   add_benchmark(*line);
   add_map(*line);
+  add_calibrate(*line);
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
