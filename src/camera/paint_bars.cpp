@@ -131,6 +131,13 @@ void PaintBarFinder::mark_yellow(std::size_t& count, std::size_t yellow_count) {
     for (std::size_t i = 0; i < grey_count; ++i) {
       const double overlap = std::min(bars_[i].right, yellow.right) - std::max(bars_[i].left, yellow.left);
       if (overlap < 0.5 * std::min(bars_[i].right - bars_[i].left, yellow.right - yellow.left)) continue;
+      // What is bright beside the paint, or dark on it, widens or narrows the bar of grey; colour tells.
+      constexpr double kAlike = 0.35;
+      const double width = yellow.right - yellow.left;
+      if (std::abs(bars_[i].right - bars_[i].left - width) > kAlike * width) {
+        bars_[i].left = yellow.left;
+        bars_[i].right = yellow.right;
+      }
       bars_[i].yellow = known = true;
     }
     if (known || count == bars_.size()) continue;
