@@ -110,7 +110,7 @@ void PaintJudge::judge_chain(std::vector<PaintBar>& bars, const BarChain& chain)
   for (int i = chain.first; i >= 0; i = at(bars, i).next) {
     PaintBar& bar = bars[static_cast<std::size_t>(i)];
     bar.believed = !bar.faint && (sure || fits_a_line(bar, chain));
-    if (bar.believed && chain.count < 2) {
+    if (bar.believed && bar.heading_sigma > config_.heading_gate) {
       bar.heading = std::atan(lines_.slope(bar.x, bar.y));
       bar.heading_sigma = config_.heading_gate;
     }
