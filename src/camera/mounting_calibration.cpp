@@ -67,7 +67,7 @@ struct Consensus {
 /// Least squares over the mounting and, for every view, how the car stood in its lane.
 class Problem {
  public:
-  Problem(std::vector<const StraightRoadView*> views, const CameraModel& camera, const Mounting& start,
+  Problem(const std::vector<const StraightRoadView*>& views, const CameraModel& camera, const Mounting& start,
           const MountingCalibrationConfig& config)
       : config_(config), start_(start), pinhole_(without_distortion(camera.intrinsics())) {
     for (const StraightRoadView* view : views) {

@@ -55,6 +55,18 @@ void apply(const YAML::Node& node, const std::string& prefix, const std::string&
   }
 }
 
+/// A value as YAML reads it back: in quotes where it is anything but a number, a word or a plain path.
+std::string scalar(const std::string& value) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-/";
+  if (!value.empty() && value.find_first_not_of(kPlain) == std::string::npos) return value;
+  std::string quoted = "\"";
+  for (const char c : value) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
 void check(const PerceptionConfig& config, const std::string& name) {
   if (config.lanes.lane_width_min >= config.lanes.lane_width_max) {
     throw configuration_error(name, "'lanes.lane_width_min' is not below 'lanes.lane_width_max'");
@@ -135,7 +147,7 @@ std::string to_yaml(const PerceptionConfig& config) {
       yaml += fmt::format("{:{}}{}:\n", "", 2 * i, path[i]);
     open.assign(path.begin(), path.end() - 1);
     const std::string unit = setting.unit.empty() ? "" : fmt::format(" [{}]", setting.unit);
-    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), setting.get(),
+    yaml += fmt::format("{:{}}{}: {}  # {}{}; {}\n", "", 2 * open.size(), path.back(), scalar(setting.get()),
                         setting.effect, unit, setting.allowed);
   }
   return yaml;

@@ -56,11 +56,13 @@ class Section {
                          }});
   }
 
-  /// Any text, of a file's name for one.
+  /// Any text in one line, of a file's name for one.
   void add(const char* key, std::string& value, const char* effect) const {
-    settings_.push_back({prefix_ + key, "", effect, "text", [&value] { return quoted(value); },
+    settings_.push_back({prefix_ + key, "", effect, "text", [&value] { return value; },
                          [&value](const std::string& text) {
-                           if (text.find_first_of("\n\r") != std::string::npos) return false;
+                           for (const char c : text) {
+                             if (static_cast<unsigned char>(c) < ' ') return false;
+                           }
                            value = text;
                            return true;
                          }});
@@ -84,16 +86,6 @@ class Section {
   [[nodiscard]] Section section(const std::string& key) const { return {settings_, prefix_ + key + "."}; }
 
  private:
-  /// As YAML and JSON write text.
-  static std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c;
-    }
-    return out + '"';
-  }
-
   std::vector<Setting>& settings_;
   std::string prefix_;
 };

@@ -76,6 +76,15 @@ RC_GTEST_PROP(Config, AnyTextEitherIsAllowedOrLeavesTheValueAlone, (const std::s
   RC_ASSERT(fingerprint(config) == before);
 }
 
+TEST(Config, ANameOfAFileComesBackWhateverItIs) {
+  for (const char* name :
+       {"", "lanes.onnx", "/a b/c: d.onnx", "\"quoted\" \\ #.onnx", "M\xC3\xBCnchen", "~", "true"}) {
+    PerceptionConfig config;
+    config.sources.lane_segmentation.network.model = name;
+    EXPECT_EQ(parse_config(to_yaml(config), "printed").sources.lane_segmentation.network.model, name);
+  }
+}
+
 TEST(Config, TakesSomeKeysAndLeavesTheOthers) {
   PerceptionConfig defaults;
   defaults.silence_s = 2;
