@@ -93,20 +93,30 @@ void draw_distances(Canvas& canvas, const PanelView& view, const LaneEstimate& e
   }
 }
 
+/// A line on the road in steps so short that the lens bends none of them.
+void draw_line(Canvas& canvas, const PanelView& view, const std::vector<Eigen::Vector2d>& line,
+               const Pen& pen) {
+  constexpr double kStep = 1;  // [m]
+  std::vector<Pixel> pixels;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d way = line[i] - line[i - 1];
+    const int steps = std::clamp(static_cast<int>(way.norm() / kStep), 1, 1000);
+    for (int s = 0; s < steps; ++s) {
+      const Eigen::Vector2d point = line[i - 1] + way * s / steps;
+      if (point.x() < kTruthReach) pixels.push_back(view.on_road(point.x(), point.y()));
+    }
+  }
+  canvas.polyline(pixels, pen);
+}
+
 void draw_boundaries(Canvas& canvas, const PanelView& view, const TopView& road) {
   for (const Boundary& boundary : road.estimate.boundaries) {
     canvas.polyline(view.curve(boundary.clothoid, boundary.range_begin, boundary.range_end),
                     {kBoundary, 2, 0, true});
   }
-  const auto draw_truth = [&](const std::vector<Eigen::Vector2d>& line) {
-    std::vector<Pixel> pixels;
-    for (const Eigen::Vector2d& point : line) {
-      if (point.x() < kTruthReach) pixels.push_back(view.on_road(point.x(), point.y()));
-    }
-    canvas.polyline(pixels, {kTruth, 2, 9});
-  };
-  for (const auto& line : road.true_boundaries) draw_truth(line);
-  draw_truth(road.driven_path);
+  const Pen truth{kTruth, 2, 9};
+  for (const auto& line : road.true_boundaries) draw_line(canvas, view, line, truth);
+  draw_line(canvas, view, road.driven_path, truth);
 }
 
 void draw_bars(Canvas& canvas, const PanelView& view, const CameraView& seen) {
