@@ -84,12 +84,15 @@ void draw_ego_lane(Canvas& canvas, const PanelView& view, const LaneEstimate& es
 void draw_distances(Canvas& canvas, const PanelView& view, const LaneEstimate& estimate) {
   const std::optional<EgoBoundaries> ego = ego_boundaries(estimate);
   if (!ego) return;
+  double last_label = std::numeric_limits<double>::infinity();  // [px] row
   for (const double x : {10.0, 20.0, 50.0, 100.0}) {
     if (x < ego->from || x > ego->to) continue;
     const Pixel left = view.on_road(x, ego->left->clothoid.y(x));
     const Pixel right = view.on_road(x, ego->right->clothoid.y(x));
     canvas.line(left, right, {kBoundary, 1});
+    if (!(left.y() < last_label - 10)) continue;  // no room
     canvas.text(left - Pixel(8, -3), fmt::format("{:.0f} m", x), kText, 8, Anchor::end);
+    last_label = left.y();
   }
 }
 
@@ -127,7 +130,7 @@ void draw_bars(Canvas& canvas, const PanelView& view, const CameraView& seen) {
 }
 
 void draw_windows(Canvas& canvas, const PanelView& view, const CameraView& seen) {
-  constexpr double kEnd = 4;  // [px] of the strokes at the ends, to each side
+  constexpr double kEnd = 3;  // [px] of the strokes at the ends, to each side
   for (const SearchWindow& window : seen.windows) {
     const Pixel left = view.at(window.left, window.row);
     const Pixel right = view.at(window.right, window.row);
@@ -143,7 +146,8 @@ void draw_vehicles(Canvas& canvas, const PanelView& view, const CameraView& seen
     const Pixel corner = view.at(vehicle.left, vehicle.top);
     const Pixel size = view.at(vehicle.right, vehicle.bottom) - corner;
     canvas.rectangle({corner.x(), corner.y(), size.x(), size.y()}, {kVehicle, 2, 0, true});
-    canvas.text(corner - Pixel(-1, 5), fmt::format("{:.0f} m", vehicle.distance), kVehicle, 9);
+    const std::string words = fmt::format("{:.0f} m", vehicle.distance);
+    if (size.x() > Canvas::text_width(words, 9)) canvas.text(corner - Pixel(-1, 5), words, kVehicle, 9);
   }
 }
 
