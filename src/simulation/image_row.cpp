@@ -63,6 +63,7 @@ std::vector<Face> upright_faces(const ImageScene::View& view, const RoadAhead& r
 ImageScene::ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
                        const SurfaceTextures& textures)
     : time_(view.scene.time),
+      ends_(&view.ends),
       width_(view.camera.intrinsics().width),
       light_(seen_through(light, view.scene.visibility)),
       sun_bearing_(light.sun_azimuth - view.scene.ego.world_from_vehicle.heading),
@@ -83,9 +84,9 @@ void ImageRowPainter::cast(int v) {
   if (near_row_ == v - 1) {
     far_.swap(near_);
   } else {
-    scene_->rays_.cast(v - 0.5, far_);
+    scene_->rays_.cast_upper_edge(*scene_->ends_, v, far_);
   }
-  scene_->rays_.cast(v + 0.5, near_);
+  scene_->rays_.cast_upper_edge(*scene_->ends_, v + 1, near_);
   near_row_ = v;
 }
 

@@ -22,6 +22,7 @@ class ImageScene {
   struct View {
     const Scene& scene;
     const CameraModel& camera;
+    const SegmentEnds& ends;
     const Mounting& mounting;
   };
   ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
@@ -32,6 +33,7 @@ class ImageScene {
  private:
   friend class ImageRowPainter;
   Time time_;
+  const SegmentEnds* ends_;
   int width_;
   ImageLight light_;
   double sun_bearing_;  ///< [rad] in the vehicle frame

@@ -57,8 +57,10 @@ double uncovered(const VehicleBox& box, std::span<const VehicleBox> others) {
   constexpr int kGrid = 16;
   int free = 0;
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const double u = box.left + (i % kGrid + 0.5) / kGrid * (box.right - box.left);
-    const double v = box.top + (i / kGrid + 0.5) / kGrid * (box.bottom - box.top);
+    const int column = i % kGrid;
+    const int line = i / kGrid;
+    const double u = box.left + (column + 0.5) / kGrid * (box.right - box.left);
+    const double v = box.top + (line + 0.5) / kGrid * (box.bottom - box.top);
     const bool covered = std::any_of(others.begin(), others.end(), [&](const VehicleBox& other) {
       return other.left < u && u < other.right && other.top < v && v < other.bottom;
     });
