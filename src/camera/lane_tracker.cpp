@@ -10,6 +10,7 @@
 #include "camera/edge_search.hpp"
 #include "camera/lane_acquisition.hpp"
 #include "camera/lane_filter.hpp"
+#include "camera/lane_report.hpp"
 #include "camera/marking_sight.hpp"
 #include "camera/paint_memory.hpp"
 
@@ -161,7 +162,7 @@ void LaneTracker::Parts::lose() {
 /// Both markings were seen in so many rows, with so little that contradicts, that one image is proof enough.
 bool LaneTracker::Parts::is_certain() const {
   constexpr int kMany = 12;
-  constexpr int kContradicted = 6;
+  constexpr int kContradicted = 4;
   return std::all_of(sights.begin(), sights.end(), [](const MarkingSight& sight) {
     return sight.found >= kMany && sight.found >= kContradicted * sight.open;
   });
@@ -210,21 +211,13 @@ void LaneTracker::Parts::run(const Input& input) {
 
 std::optional<ClothoidMeasurement> LaneTracker::Parts::edge(Side side, const CameraPose& pose) const {
   const std::size_t s = index_of(side);
-  if (track.status != LaneTrackStatus::tracking || unseen[s] >= kPatience || sights[s].found < 3) return {};
-  ClothoidMeasurement edge;
-  edge.clothoid = LaneState::edge(filter.state().mean, side);
-  // What the pose does not know turns and shifts the whole lane: its yaw the heading, its height and roll the
-  // offset.
-  const double y = edge.clothoid.lateral_offset;
-  const double height = std::max(0.1, pose.mounting.z);
-  Eigen::Matrix4d by_pose = Eigen::Matrix4d::Zero();  // d (y0, theta0, c0, c1) / d (height, roll, pitch, yaw)
-  by_pose(0, 0) = y / height;
-  by_pose(0, 1) = height + y * y / height;
-  by_pose(1, 3) = 1;
-  edge.covariance = filter.edge_covariance(side) + by_pose * pose.covariance * by_pose.transpose();
+  constexpr int kLeast = 3;  // windows
+  if (track.status != LaneTrackStatus::tracking || unseen[s] >= kPatience || sights[s].found < kLeast) {
+    return {};
+  }
+  ClothoidMeasurement edge = measured_edge(filter, side, pose);
   edge.range_begin = sights[s].begin;
   edge.range_end = sights[s].end;
-  edge.side = side;
   edge.marking = paint[s].evidence();
   const double expected = edge.marking.type == MarkingType::solid ? 0.9 : 0.3;
   edge.confidence = std::clamp(sights[s].support / expected, 0.05, 1.0) * (1 - unseen[s] / kPatience);
@@ -232,22 +225,11 @@ std::optional<ClothoidMeasurement> LaneTracker::Parts::edge(Side side, const Cam
 }
 
 void LaneTracker::Parts::write(const EdgeScene& scene, const CameraPose& pose) {
-  const LaneState::Vector& mean = filter.state().mean;
-  const LaneState::Matrix& covariance = filter.state().covariance;
   track.left = edge(Side::left, pose);
   track.right = edge(Side::right, pose);
   track.left_marking_width = paint[0].width();
   track.right_marking_width = paint[1].width();
-  track.lateral_offset = mean[LaneState::kOffset];
-  track.width = mean[LaneState::kWidth];
-  track.width_sigma = std::sqrt(covariance(LaneState::kWidth, LaneState::kWidth));
-  track.heading = mean[LaneState::kHeading];
-  track.curvature = mean[LaneState::kCurvature];
-  track.pitch = mean[LaneState::kPitch];
-  track.pitch_sigma = std::sqrt(covariance(LaneState::kPitch, LaneState::kPitch));
-  track.vertical_curvature = mean[LaneState::kVerticalCurvature];
-  track.vertical_curvature_sigma =
-      std::sqrt(covariance(LaneState::kVerticalCurvature, LaneState::kVerticalCurvature));
+  write_state(filter.state(), track);
   track.range = 0;
   track.quality = 0;
   for (const auto* side : {&track.left, &track.right}) {
@@ -258,8 +240,8 @@ void LaneTracker::Parts::write(const EdgeScene& scene, const CameraPose& pose) {
   track.left_neighbour.reset();
   track.right_neighbour.reset();
   if (track.status == LaneTrackStatus::tracking) {
-    track.left_neighbour = neighbours.measure(scene, mean, Side::left);
-    track.right_neighbour = neighbours.measure(scene, mean, Side::right);
+    track.left_neighbour = neighbours.measure(scene, filter.state().mean, Side::left);
+    track.right_neighbour = neighbours.measure(scene, filter.state().mean, Side::right);
   }
   track.windows.clear();
   if (track.status != LaneTrackStatus::lost) list_windows(search, fit, track.windows);
