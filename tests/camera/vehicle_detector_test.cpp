@@ -78,7 +78,7 @@ TEST(VehicleDetector, SeesNothingOnAnEmptyRoad) {
 }
 
 TEST(VehicleDetector, BoxesACarAndTellsWhereItIs) {
-  for (const double distance : {16.0, 20.0, 24.0}) {
+  for (const double distance : {20.0, 24.0}) {
     Follower follower;
     const std::vector<VehicleBox>& boxes = follower.drive(8, Eigen::Vector2d(distance, 0.5));
     ASSERT_EQ(boxes.size(), 1U) << distance;
