@@ -12,8 +12,10 @@ constexpr double kNone = 1e9;
 constexpr double kWidthRatio = 0.35;     ///< [ln] one sigma between bars of one piece of paint
 constexpr double kContrastRatio = 0.45;  ///< [ln]
 constexpr double kCostMax = 9;
-constexpr double kHeadingJitter = 0.015;  ///< [rad] by which a chain's next step may turn, one sigma
-constexpr double kRowShare = 0.29;        ///< of a row: sigma of where paint that ends within it lies
+constexpr double kCurvatureSigma = 1.0 / 1500;  ///< [1/m] of roads
+constexpr double kHeadingFloor = 0.001;         ///< [rad]
+constexpr double kHeadingJitter = 0.015;        ///< [rad] by which a chain's next step may turn, one sigma
+constexpr double kRowShare = 0.29;              ///< of a row: sigma of where paint that ends within it lies
 
 /// Variance of a bar's place across [m^2]: its noise, and what paint that ends within the row shifts it.
 double place_variance(const PaintBar& bar) {
@@ -119,9 +121,8 @@ void BarChains::head(std::vector<PaintBar>& bars, const BarChain& chain) const {
     const auto add = [&](int at) {
       const PaintBar& other = bars[static_cast<std::size_t>(at)];
       if (std::abs(other.x - bar.x) > base) return false;
-      // Paint may end within the row of a chain's end.
-      const bool ends = other.previous < 0 || other.next < 0;
-      const double variance = ends ? place_variance(other) : other.y_sigma * other.y_sigma;
+      const double shifted = other.per_pixel(1, 1) * other.row_sigma;
+      const double variance = other.y_sigma * other.y_sigma + shifted * shifted;
       sums.add(1 / variance, other.x - bar.x, other.y - bar.y);
       return true;
     };
@@ -129,7 +130,9 @@ void BarChains::head(std::vector<PaintBar>& bars, const BarChain& chain) const {
     for (int at = bar.next; at >= 0 && add(at);) at = bars[static_cast<std::size_t>(at)].next;
     if (chain.count >= 2 && sums.spread() > 0) {
       bar.heading = std::atan(sums.slope());
-      bar.heading_sigma = 1 / std::sqrt(sums.spread());
+      // At a chain's end the fit looks to one side only, where the road may have turned.
+      const double aside = sums.x / sums.w;
+      bar.heading_sigma = std::hypot(1 / std::sqrt(sums.spread()), aside * kCurvatureSigma, kHeadingFloor);
     } else {
       bar.heading_sigma = kNone;
     }
@@ -180,8 +183,11 @@ const std::vector<BarChain>& BarChains::link(std::vector<PaintBar>& bars, int pl
     join_row(bars, begin, end);
   }
   collect(bars);
-  for (const BarChain& chain : chains_) head(bars, chain);
   return chains_;
+}
+
+void BarChains::measure_headings(std::vector<PaintBar>& bars) const {
+  for (const BarChain& chain : chains_) head(bars, chain);
 }
 
 }  // namespace lanefuse

@@ -22,6 +22,7 @@ struct PaintBar {
   double x = 0;                                         ///< [m]
   double y = 0;                                         ///< [m]
   double width = 0;                                     ///< [m]
+  double row_sigma = 0;                                 ///< [px] of `row`, as the paint may end within it
   double y_sigma = 0;                                   ///< [m] of y by the bar's own noise
   Eigen::Matrix2d per_pixel = Eigen::Matrix2d::Zero();  ///< d (x, y) / d (u, v) [m/px]
   MarkingColour colour = MarkingColour::unknown;
@@ -30,6 +31,7 @@ struct PaintBar {
   int chain = -1;
   double heading = 0;        ///< [rad] of the paint here, from the chain
   double heading_sigma = 0;  ///< [rad] by the bars' own noise
+  bool faint = false;        ///< hardly any of the row is paint
   bool believed = false;
 };
 
@@ -56,8 +58,11 @@ class BarChains {
  public:
   explicit BarChains(const BarChainsConfig& config) : config_(config) {}
 
-  /// `bars` are sorted by row, near to far. Fills in what a bar knows of its chain, with its heading.
+  /// `bars` are sorted by row, near to far. Fills in what a bar knows of its chain.
   const std::vector<BarChain>& link(std::vector<PaintBar>& bars, int plans);
+
+  /// Gives each bar the heading of its chain around it.
+  void measure_headings(std::vector<PaintBar>& bars) const;
 
  private:
   struct Candidate {

@@ -40,7 +40,8 @@ struct Range {
 /// One map of the file, read strictly.
 class Keys {
  public:
-  Keys(const YAML::Node& node, std::string file, std::string path, std::initializer_list<std::string_view> known)
+  Keys(const YAML::Node& node, std::string file, std::string path,
+       std::initializer_list<std::string_view> known)
       : node_(node), file_(std::move(file)), path_(std::move(path)) {
     if (!node_.IsMap()) {
       throw configuration_error(place_of(file_, node_.Mark()),
@@ -96,7 +97,8 @@ class Keys {
   std::string file_;
   std::string path_;
 
-  void refuse_strange(const YAML::const_iterator& entry, std::initializer_list<std::string_view> known) const {
+  void refuse_strange(const YAML::const_iterator& entry,
+                      std::initializer_list<std::string_view> known) const {
     const std::string place = place_of(file_, entry->first.Mark());
     const std::string key = entry->first.IsScalar() ? entry->first.Scalar() : "(not a name)";
     if (std::find(known.begin(), known.end(), key) == known.end()) {

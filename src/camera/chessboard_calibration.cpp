@@ -23,8 +23,8 @@ constexpr double kLeastCornerError = 0.1;  ///< [px]: a better fit does not make
 
 cv::Mat grey_of(const ImageView& image) {
   cv::Mat seen(image.height, image.width, image.channels == 3 ? CV_8UC3 : CV_8UC1,
-                     const_cast<std::uint8_t*>(image.data),  // NOLINT: it is only read
-                     static_cast<std::size_t>(image.stride));
+               const_cast<std::uint8_t*>(image.data),  // NOLINT: it is only read
+               static_cast<std::size_t>(image.stride));
   if (image.channels == 1) return seen;
   cv::Mat grey;
   cv::cvtColor(seen, grey, cv::COLOR_BGR2GRAY);

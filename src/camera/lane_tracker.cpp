@@ -45,6 +45,8 @@ LaneFilterConfig filter_config(const LaneTrackerConfig& config) {
 }
 
 constexpr double kUsualPaint = 0.12;  ///< [m]
+constexpr int kProofs = 3;            ///< good images in a row that make a lane
+constexpr double kDoubt = 0.25;       ///< [s] without a good image, and the lane is looked for anew
 constexpr double kPatience = 0.7;     ///< [s] a side or a lane is believed without being seen
 
 }  // namespace
@@ -88,9 +90,11 @@ struct LaneTracker::Parts {
 
   void run(const Input& input);
   void advance(const Input& input);
+  void acquire(const EdgeScene& scene);
   bool measure(const EdgeScene& scene);
   void change_lane();
   void change_status(bool good, double seconds);
+  [[nodiscard]] bool is_certain() const;
   void lose();
   void write(const EdgeScene& scene, const CameraPose& pose);
   [[nodiscard]] std::optional<ClothoidMeasurement> edge(Side side, const CameraPose& pose) const;
@@ -104,6 +108,17 @@ void LaneTracker::Parts::advance(const Input& input) {
   filter.correct_pose(is.pitch - was.pitch, is.yaw - was.yaw, was.z > 0 ? is.z / was.z : 1);
   filter.predict(seconds, input.speed, input.yaw_rate);
   for (PaintMemory& memory : paint) memory.move(input.speed * seconds);
+}
+
+void LaneTracker::Parts::acquire(const EdgeScene& scene) {
+  const auto found = acquisition.find(scene);
+  if (!found) return;
+  const double drift = filter.state().mean[LaneState::kDrift];
+  filter.state() = *found;
+  filter.state().mean[LaneState::kDrift] = drift;
+  track.status = LaneTrackStatus::acquiring;
+  proofs = 0;
+  failed = 0;
 }
 
 bool LaneTracker::Parts::measure(const EdgeScene& scene) {
@@ -143,10 +158,18 @@ void LaneTracker::Parts::lose() {
   for (PaintMemory& memory : paint) memory.forget();
 }
 
+/// Both markings were seen in so many rows, with so little that contradicts, that one image is proof enough.
+bool LaneTracker::Parts::is_certain() const {
+  constexpr int kMany = 12;
+  constexpr int kContradicted = 6;
+  return std::all_of(sights.begin(), sights.end(), [](const MarkingSight& sight) {
+    return sight.found >= kMany && sight.found >= kContradicted * sight.open;
+  });
+}
+
 void LaneTracker::Parts::change_status(bool good, double seconds) {
   failed = good ? 0 : failed + seconds;
-  proofs = good ? proofs + 1 : 0;
-  constexpr int kProofs = 3;  // images
+  proofs = good ? proofs + (is_certain() ? kProofs : 1) : 0;
   for (std::size_t s = 0; s < 2; ++s) {
     unseen[s] = good && sights[s].found >= 3 ? 0 : unseen[s] + seconds;
   }
@@ -166,20 +189,14 @@ void LaneTracker::Parts::run(const Input& input) {
   scene.image = input.image;
   scene.sight = &sight;
   scene.vehicles = input.vehicles;
-  for (std::size_t s = 0; s < 2; ++s) scene.marking_widths[s] = paint[s].width().value_or(kUsualPaint);
+  for (std::size_t s = 0; s < 2; ++s) {
+    scene.marking_widths[s] = paint[s].width().value_or(kUsualPaint);
+    scene.colours[s] = paint[s].evidence().colour;
+  }
   track.lane_changed = false;
   const double seconds = std::max(0.0, to_seconds(input.time - track.measured_at));
-  if (track.status == LaneTrackStatus::lost) {
-    const auto found = acquisition.find(scene);
-    if (found) {
-      const double drift = filter.state().mean[LaneState::kDrift];
-      filter.state() = *found;
-      filter.state().mean[LaneState::kDrift] = drift;
-      track.status = LaneTrackStatus::acquiring;
-    }
-  } else {
-    advance(input);
-  }
+  if (track.status != LaneTrackStatus::lost) advance(input);
+  if (track.status == LaneTrackStatus::lost || failed > kDoubt) acquire(scene);
   track.measured_at = input.time;
   last_pose = input.pose;
   if (track.status != LaneTrackStatus::lost) {

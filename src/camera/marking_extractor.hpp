@@ -25,7 +25,8 @@ struct MarkingExtractorConfig {
   double contrast_min = 6;       ///< [grey levels of 255] of paint against the road
   double contrast_to_noise = 4;  ///< least step at an edge over the row's own noise
   double noise_floor_px = 0.1;  ///< [px] what remains of a bar's error where noise is nil: ragged paint, lens
-  double ragged_paint = 0.004;  ///< [m] by which the middle of real paint wanders
+  double blur_px = 0.7;         ///< [px] sigma of lens and chip together
+  double ragged_paint = 0.007;  ///< [m] by which the middle of real paint wanders
   bool learn_still = true;      ///< learn what never moves in the image (bonnet, reflections), and mask it
 };
 

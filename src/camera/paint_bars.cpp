@@ -29,14 +29,19 @@ bool is_peak(const Piece& piece, int i, double step, int sign) {
          step > sign * piece.step(i + 1);
 }
 
-/// The border's place around i by a parabola through three steps [px, from the piece's first pixel's middle].
+/// The border's place around i as the middle of all that rises (or falls) there, exact for a pixel that is
+/// covered in part [px, from the piece's first pixel's middle].
 double refined(const Piece& piece, int i, int sign) {
-  const double before = sign * piece.step(i - 1);
-  const double here = sign * piece.step(i);
-  const double after = sign * piece.step(i + 1);
-  const double bend = before - 2 * here + after;
-  const double shift = bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
-  return i + shift - 0.5;
+  double sum = 0;
+  double moment = 0;
+  const int reach = std::max(piece.reach, 2);
+  for (int j = std::max(1, i - reach); j <= std::min(piece.length - 1, i + reach); ++j) {
+    const int change = sign * (piece.sums[j + 1] - 2 * piece.sums[j] + piece.sums[j - 1]);
+    if (change <= 0) continue;
+    sum += change;
+    moment += change * (j - i);
+  }
+  return sum > 0 ? i + moment / sum - 0.5 : i - 0.5;
 }
 
 struct Widths {
@@ -126,6 +131,13 @@ void PaintBarFinder::mark_yellow(std::size_t& count, std::size_t yellow_count) {
     for (std::size_t i = 0; i < grey_count; ++i) {
       const double overlap = std::min(bars_[i].right, yellow.right) - std::max(bars_[i].left, yellow.left);
       if (overlap < 0.5 * std::min(bars_[i].right - bars_[i].left, yellow.right - yellow.left)) continue;
+      // What is bright beside the paint, or dark on it, widens or narrows the bar of grey; colour tells.
+      constexpr double kAlike = 0.35;
+      const double width = yellow.right - yellow.left;
+      if (std::abs(bars_[i].right - bars_[i].left - width) > kAlike * width) {
+        bars_[i].left = yellow.left;
+        bars_[i].right = yellow.right;
+      }
       bars_[i].yellow = known = true;
     }
     if (known || count == bars_.size()) continue;

@@ -12,18 +12,28 @@ namespace lanefuse {
 namespace {
 
 constexpr double kRanges[] = {30, 50, 75, 100, 1000};  ///< [m] what is near is believed first
-constexpr int kIterations = 4;
-constexpr double kPlaceSigma = 0.06;   ///< [m] by which real lines are not parallel
-constexpr double kSlopeSigma = 0.004;  ///< [rad]
-constexpr double kLengthMost = 5;      ///< [m] of one piece that count
+constexpr double kDoubts[] = {5, 3, 2, 1, 1};          ///< how much wider the outliers' scale is at first
+constexpr double kPlaceSigma = 0.06;                   ///< [m] by which real lines are not parallel
+constexpr double kSlopeSigma = 0.004;                  ///< [rad]
+constexpr double kLanesWithin = 7;                     ///< [m] to either side
+constexpr double kLengthMost = 5;                      ///< [m] of one piece that count
 
-/// Cauchy's weight: outliers count little, but may still draw a wrong start.
+/// Geman and McClure's weight: what is far off hardly draws, however much of it there is.
 double trust(double residual, double sigma) {
   const double r = residual / sigma;
-  return 1 / (1 + r * r / 4);
+  const double w = 1 / (1 + r * r / 9);
+  return w * w;
 }
 
-double weight_of(const LinePiece& piece) { return std::min(piece.length, kLengthMost); }
+/// Lanes are around the car; what is far aside is more often a wall, a fence or a field. What points at the
+/// camera is more often a post or a car's side than paint.
+double weight_of(const LinePiece& piece) {
+  const double aside = piece.y / kLanesWithin;
+  const double upright = piece.y / piece.x;
+  const bool points_here =
+      std::abs(upright) > 0.06 && std::abs(piece.slope - upright) < 0.3 * std::abs(upright);
+  return std::min(piece.length, kLengthMost) / (1 + aside * aside) * (points_here ? 0.1 : 1);
+}
 
 /// Normal equations of a few unknowns with a prior around zero.
 struct Normal {
@@ -63,14 +73,14 @@ const ParallelLines::Line* ParallelLines::nearest(double offset, double reach) c
 }
 
 /// The shape from the pieces' directions alone: no one needs to know yet which piece belongs to which line.
-void ParallelLines::fit_slopes(std::span<const LinePiece> pieces, double range,
+void ParallelLines::fit_slopes(std::span<const LinePiece> pieces, double range, double doubt,
                                const Eigen::Vector4d& prior) {
   Normal normal(prior);
   for (const LinePiece& piece : pieces) {
     if (piece.x > range) continue;
     const double sigma = std::hypot(piece.slope_sigma, kSlopeSigma);
     const double residual = piece.slope - slope(piece.x, piece.y);
-    const double weight = weight_of(piece) * trust(residual, sigma) / (sigma * sigma);
+    const double weight = weight_of(piece) * trust(residual, doubt * sigma) / (sigma * sigma);
     normal.add({1, piece.x, piece.x * piece.x / 2, piece.y}, piece.slope, weight);
   }
   shape_ = normal.solve();
@@ -136,7 +146,7 @@ void ParallelLines::fit(std::span<const LinePiece> pieces, double stretch_sigma)
   shape_.setZero();
   lines_.clear();
   for (const double range : kRanges) {
-    for (int i = 0; i < kIterations; ++i) fit_slopes(pieces, range, prior);
+    for (const double doubt : kDoubts) fit_slopes(pieces, range, doubt, prior);
     for (int i = 0; i < 2; ++i) {
       gather(pieces, range);
       fit_places(pieces, range, prior);

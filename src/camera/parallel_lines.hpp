@@ -23,7 +23,6 @@ struct ParallelLinesConfig {
   double heading_sigma = 0.04;         ///< [rad] of the road against the car
   double curvature_sigma = 1.0 / 800;  ///< [1/m]
   double curvature_rate_sigma = 2e-5;  ///< [1/m^2]
-  double pitch_sigma_least = 0.002;    ///< [rad] of the image's pitch, where the pose claims to know better
   double line_spacing = 0.35;          ///< [m] lines nearer to each other are one
 };
 
@@ -63,7 +62,8 @@ class ParallelLines {
   std::vector<double> offsets_;
 
   [[nodiscard]] double course(double x) const;
-  void fit_slopes(std::span<const LinePiece> pieces, double range, const Eigen::Vector4d& prior);
+  void fit_slopes(std::span<const LinePiece> pieces, double range, double doubt,
+                  const Eigen::Vector4d& prior);
   void gather(std::span<const LinePiece> pieces, double range);
   void fit_places(std::span<const LinePiece> pieces, double range, const Eigen::Vector4d& prior);
 };

@@ -23,7 +23,7 @@ struct StraightRoadView {
 };
 
 struct StraightRoadConfig {
-  double largest_angle = 0.17;  ///< [rad] between the camera's axis and the road, up, down and sideways
+  double largest_angle = 0.17;    ///< [rad] between the camera's axis and the road, up, down and sideways
   double nearest_horizon = 0.03;  ///< of a point under the horizon, down over depth: 40 m for a car's camera
   int contrast = 12;              ///< of paint to the road beside it, in levels of 255
   int fewest_rows = 20;           ///< in which a marking must be seen

@@ -102,10 +102,12 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_run(*line);
   add_evaluate(*line);
   add_plot(*line);
+  add_overlay(*line);
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
   add_map(*line);
+  add_calibrate(*line);
   try {
     line->app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

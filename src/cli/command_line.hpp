@@ -46,9 +46,11 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
 
 /// Subcommands that have a file of their own.
 void add_benchmark(CommandLine& line);
+void add_calibrate(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_import(CommandLine& line);
 void add_map(CommandLine& line);
+void add_overlay(CommandLine& line);
 void add_simulate(CommandLine& line);
 
 /// The subcommands of `map` that make maps of drives and use them.

@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
-
-#include <opencv2/imgproc.hpp>
 
 namespace lanefuse {
 namespace {
 
-constexpr int kFraction = 4;        // bits of a pixel that OpenCV's drawing takes
-constexpr double kFarOff = 20000;   // [px] OpenCV's coordinates overflow well beyond
+constexpr int kFraction = 4;       // bits of a pixel that OpenCV's drawing takes
+constexpr double kFarOff = 20000;  // [px] OpenCV's coordinates overflow well beyond
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kCapitals = 22;    // [px] height of this font's capital letters at scale 1
+constexpr double kCapitals = 22;  // [px] height of this font's capital letters at scale 1
 constexpr Colour kRim{12, 14, 18};
 
 cv::Scalar scalar(Colour colour) { return {double(colour.blue), double(colour.green), double(colour.red)}; }

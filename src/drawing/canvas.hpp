@@ -20,9 +20,9 @@ struct Colour {
 
 struct Pen {
   Colour colour;
-  double width = 1;      ///< [px]
-  double dash = 0;       ///< [px] length of dashes and of the gaps between them; 0: solid
-  bool outlined = false; ///< with a dark rim, so that it shows on anything
+  double width = 1;       ///< [px]
+  double dash = 0;        ///< [px] length of dashes and of the gaps between them; 0: solid
+  bool outlined = false;  ///< with a dark rim, so that it shows on anything
 };
 
 /// Draws on pixels what SvgWriter draws as elements: for pictures that go into a video. Edges are smooth, and
@@ -43,7 +43,8 @@ class Canvas {
   void fill(const Box& box, Colour colour, double opacity = 1);
   void disc(const Pixel& centre, double radius, Colour colour);
   /// `size` is the height of a capital letter [px]; `at` is the left (middle, right) end of its base line.
-  void text(const Pixel& at, std::string_view text, Colour colour, double size, Anchor anchor = Anchor::start);
+  void text(const Pixel& at, std::string_view text, Colour colour, double size,
+            Anchor anchor = Anchor::start);
   /// How wide text() of that size is [px].
   static double text_width(std::string_view text, double size);
 

@@ -22,25 +22,19 @@ struct OverlayScene {
   CameraIntrinsics intrinsics;
   std::optional<CameraView> view;  ///< nothing where the run did not look at this image
   CameraPose pose;                 ///< how the camera stood: the view's, else the rig's
-  /// Everything on the road, in the vehicle frame of the moment of the image: see moved_to(). Its title is
-  /// not used.
+  /// Everything on the road, in the vehicle frame of the moment of the image: see drawing/moved_view.hpp. Its
+  /// title is not used.
   std::optional<TopView> road;
 };
 
 struct OverlayConfig {
-  int width = 1280;            ///< [px] of the picture, even
-  int road_panel_height = 330; ///< [px] of the view from above
-  double reach = 120;          ///< [m] ahead in the view from above
-  double half_width = 16;      ///< [m] to each side in the view from above
+  int width = 1280;        ///< [px] of the picture, even, 640 at least
+  double reach = 120;      ///< [m] ahead in the view from above
+  double half_width = 16;  ///< [m] to each side in the view from above
 };
 
-/// The estimate as seen `seconds` later (or earlier, below zero): the road stands, the car has moved on with
-/// the estimate's own speed and yaw rate.
-LaneEstimate moved_by(const LaneEstimate& estimate, double seconds);
-/// Fused features, switches and road course seen from a frame that has moved by `old_from_new`.
-DebugView moved_by(const DebugView& debug, const Pose2& old_from_new);
-
-/// Width and height of the picture are even and depend on the camera's image size alone.
+/// The picture is three panels: a line of words, the image, and below it the road from above, to scale. Its
+/// width and height are even and depend on the camera's image size alone.
 Image draw_overlay(const OverlayScene& scene, const OverlayConfig& config = {});
 
 }  // namespace lanefuse

@@ -12,6 +12,7 @@
 #include "sources/dead_reckoning.hpp"
 #include "sources/ego_path_source.hpp"
 #include "sources/high_resolution_camera_source.hpp"
+#include "sources/lane_segmentation_source.hpp"
 #include "sources/object_source.hpp"
 #include "sources/serial_camera_source.hpp"
 
@@ -24,6 +25,7 @@ struct SourcesConfig {
   HighResolutionCameraConfig high_resolution_camera;
   ObjectSourceConfig objects;
   EgoPathConfig ego_path;
+  LaneSegmentationSourceConfig lane_segmentation;
 };
 
 /// Everything that can be set. Each module owns its struct; here they meet.

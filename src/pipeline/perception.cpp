@@ -80,6 +80,9 @@ std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& co
   }
   if (config.objects.enabled) sources.push_back(std::make_unique<ObjectSource>(config.objects));
   if (config.ego_path.enabled) sources.push_back(std::make_unique<EgoPathSource>(config.ego_path));
+  if (config.lane_segmentation.enabled) {
+    sources.push_back(std::make_unique<LaneSegmentationSource>(config.lane_segmentation));
+  }
   return sources;
 }
 

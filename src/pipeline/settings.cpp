@@ -108,6 +108,7 @@ void add_sources(const Section& s, SourcesConfig& c) {
   ego.add("confidence", c.ego_path.confidence, kShare, "", "of each of its two features");
   ego.add("min_speed", c.ego_path.min_speed, {0.0, 50.0}, "m/s", "slower, the car is no witness");
   add_width(ego, c.ego_path.default_width);
+  add_lane_segmentation(s.section("lane_segmentation"), c.lane_segmentation);
 }
 
 void add_association(const Section& s, AssociationConfig& c) {

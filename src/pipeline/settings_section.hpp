@@ -56,6 +56,16 @@ class Section {
                          }});
   }
 
+  /// Any text, of a file's name for one.
+  void add(const char* key, std::string& value, const char* effect) const {
+    settings_.push_back({prefix_ + key, "", effect, "text", [&value] { return quoted(value); },
+                         [&value](const std::string& text) {
+                           if (text.find_first_of("\n\r") != std::string::npos) return false;
+                           value = text;
+                           return true;
+                         }});
+  }
+
   /// A choice among names; the names are in the order of the enumeration's values.
   template <typename Choice>
   void add(const char* key, Choice& value, const std::vector<std::string>& names, const char* effect) const {
@@ -74,6 +84,16 @@ class Section {
   [[nodiscard]] Section section(const std::string& key) const { return {settings_, prefix_ + key + "."}; }
 
  private:
+  /// As YAML and JSON write text.
+  static std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+    return out + '"';
+  }
+
   std::vector<Setting>& settings_;
   std::string prefix_;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/drive_writer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,10 +18,20 @@
 
 namespace lanefuse {
 
+namespace {
+
+DriveInfo with_images(DriveInfo info, const Rig& rig) {
+  info.images = std::any_of(rig.sensors.begin(), rig.sensors.end(),
+                            [](const SensorDescription& sensor) { return sensor.camera.has_value(); });
+  return info;
+}
+
+}  // namespace
+
 class DriveWriter::Session {
  public:
   Session(const std::filesystem::path& path, const DriveInfo& info, Rig rig)
-      : file_(path.string()), topics_(path, {RecordingHead::Kind::drive, info, {}}), rig_(std::move(rig)) {}
+      : file_(path.string()), topics_(path, {RecordingHead::Kind::drive, with_images(info, rig), {}}), rig_(std::move(rig)) {}
 
   void write(const Measurement& measurement) {
     const Stamp& stamp = stamp_of(measurement);

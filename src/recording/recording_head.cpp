@@ -110,14 +110,16 @@ std::optional<GeoOrigin> take_origin(const HeadRecord& record) {
 mcap::Metadata to_metadata(const RecordingHead& head) {
   // The lowest version that has all that the file holds, so that what is not new is written as ever.
   const bool has_origin = head.kind == RecordingHead::Kind::drive && head.drive.origin;
+  const int minor = head.drive.images ? kFormatMinor : has_origin ? 1 : 0;
   mcap::Metadata record{kRecordName, {}};
-  record.metadata = {{"schema_version", fmt::format("{}.{}", kFormatMajor, has_origin ? kFormatMinor : 0)},
+  record.metadata = {{"schema_version", fmt::format("{}.{}", kFormatMajor, minor)},
                      {"kind", to_string(head.kind)},
                      {"frame", kDeclaredFrame},
                      {"marking_reference", kMarkingReference},
                      {"drive", head.drive.name},
                      {"preset_hash", head.drive.preset_hash},
                      {"witness", lanefuse::to_string(head.drive.witness)}};
+  if (head.drive.images) record.metadata["images"] = "yes";
   if (has_origin) record.metadata["origin"] = to_text(*head.drive.origin);
   if (head.kind == RecordingHead::Kind::lanes) {
     record.metadata["run_witness"] = lanefuse::to_string(head.run.witness);
@@ -146,7 +148,7 @@ RecordingHead read_head(const std::vector<mcap::Metadata>& records, RecordingHea
   RecordingHead head;
   head.kind = kind;
   head.drive = {record.at("drive"), record.at("preset_hash"), take_witness(record, "witness"),
-                take_origin(record)};
+                take_origin(record), record.find("images") != nullptr};
   if (kind == RecordingHead::Kind::lanes) {
     head.run = {take_witness(record, "run_witness"), record.at("estimator"), record.at("configuration_hash")};
   }

@@ -23,6 +23,7 @@ struct DriveInfo {
   std::string preset_hash;  ///< of the sensor preset that made it, empty for real drives
   WitnessRule witness = WitnessRule::radar_and_camera;
   std::optional<GeoOrigin> origin = {};  ///< of the truth's world frame, where that is known
+  bool images = false;  ///< some camera hands over images; a recording of it says so by itself
   friend bool operator==(const DriveInfo&, const DriveInfo&) = default;
 };
 

@@ -10,8 +10,6 @@
 namespace lanefuse {
 namespace {
 
-constexpr float kVignette = 0.28F;  ///< of the light is lost at a corner
-
 std::uint64_t mixed(std::uint64_t key) {
   key = (key ^ (key >> 31)) * 0x9fb21c651e98df25ULL;
   return key ^ (key >> 29);
@@ -42,21 +40,30 @@ void CameraChip::expose(const Rows& rows, int v, std::uint64_t noise_key, std::u
   const CameraIntrinsics& camera = setup_.camera;
   const float middle = 1 - 2 * beside_;
   const Colour glare = setup_.light.glare * setup_.light.horizon;
+  const auto lost = static_cast<float>(setup_.vignetting);
   const double corner = std::hypot(camera.width, camera.height) / 2;
-  const double dv = (v - camera.height / 2.0) / corner;
+  const auto per_corner = static_cast<float>(1 / corner);
+  const auto half_width = static_cast<float>(camera.width / 2.0);
+  const auto dv = static_cast<float>((v - camera.height / 2.0) / corner);
   const std::uint64_t key = mixed(noise_key + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(v + 1));
   std::size_t at = key % kNoiseCount;
   const std::size_t step = 2 * (key >> 40 & 0xff) + 1;
+  const auto column = [&](int i) {
+    return Colour(middle * rows.here[i] + beside_ * (rows.above[i] + rows.below[i]));
+  };
+  Colour left = column(0);
+  Colour centre = column(1);
   for (int u = 0; u < camera.width; ++u) {
-    const auto column = [&](int i) {
-      return Colour(middle * rows.here[i] + beside_ * (rows.above[i] + rows.below[i]));
-    };
-    const Colour light = middle * column(u + 1) + beside_ * (column(u) + column(u + 2));
-    const double du = (u - camera.width / 2.0) / corner;
-    const float kept = setup_.light.exposure * (1 - kVignette * static_cast<float>(du * du + dv * dv));
+    const Colour right = column(u + 2);
+    const Colour light = middle * centre + beside_ * (left + right);
+    left = centre;
+    centre = right;
+    const float du = (static_cast<float>(u) - half_width) * per_corner;
+    const float kept = setup_.light.exposure * (1 - lost * (du * du + dv * dv));
     Colour root = ((light + glare) * kept).max(0.0F).sqrt() + noise_[at];
     root = (root.max(0.0F).min(1.0F)) * static_cast<float>(kTones) + 0.5F;
-    for (int i = 0; i < 3; ++i) bytes[3 * u + i] = tones_[static_cast<std::size_t>(root[i])];
+    for (int i = 0; i < 3; ++i)
+      bytes[3 * u + i] = tones_[static_cast<std::size_t>(static_cast<int>(root[i]))];
     at = (at + step) % kNoiseCount;
   }
 }

@@ -20,7 +20,8 @@ class CameraChip {
   struct Setup {
     CameraIntrinsics camera;
     ImageLight light;
-    double blur_px = 0.6;
+    double blur_px = 0.6;      ///< [px]
+    double vignetting = 0.28;  ///< of the light that is lost in a corner
     bool noise = true;
     std::uint64_t seed = 1;
   };

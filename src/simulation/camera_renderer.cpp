@@ -42,7 +42,7 @@ CameraRenderer::CameraRenderer(const CameraIntrinsics& camera, const RenderConfi
       config_(config),
       light_(image_light(config.conditions)),
       textures_(std::make_shared<const SurfaceTextures>(config.seed)),
-      chip_({camera, light_, config.blur_px, config.noise, config.seed}) {}
+      chip_({camera, light_, config.blur_px, config.vignetting, config.noise, config.seed}) {}
 
 Image CameraRenderer::render(const Scene& scene, const Mounting& mounting) const {
   const CameraIntrinsics& camera = camera_.intrinsics();
@@ -50,7 +50,7 @@ Image CameraRenderer::render(const Scene& scene, const Mounting& mounting) const
   const ImageScene prepared({scene, camera_, mounting}, config_, light_, *textures_);
   // The rows near the horizon cost most, so every thread takes many small bands, in turn.
   const int threads = std::max(1, config_.threads);
-  constexpr int kBand = 32;
+  constexpr int kBand = 64;
   const auto work = [&](int thread) {
     for (int first = thread * kBand; first < camera.height; first += threads * kBand) {
       render_rows(prepared, chip_, {first, std::min(first + kBand, camera.height)}, image);

@@ -18,12 +18,13 @@ namespace lanefuse {
 /// What a rendered image looks like, beyond its geometry.
 struct RenderConfig {
   ImageConditions conditions = ImageConditions::clear;
-  double blur_px = 0.6;    ///< [px] sigma of the lens
-  double wear = 1;         ///< of the paint: 0 as new, with straight edges; 1 as on an old motorway
-  double texture = 1;      ///< contrast of the asphalt's grain, patches and seams; 0: one grey
-  bool noise = true;       ///< of the chip
-  int threads = 2;         ///< the bytes do not depend on it
-  std::uint64_t seed = 1;  ///< of noise, texture and wear
+  double blur_px = 0.6;      ///< [px] sigma of the lens
+  double vignetting = 0.28;  ///< of the light that is lost in a corner
+  double wear = 1;           ///< of the paint: 0 as new, with straight edges; 1 as on an old motorway
+  double texture = 1;        ///< contrast of the asphalt's grain, patches and seams; 0: one grey
+  bool noise = true;         ///< of the chip
+  int threads = 2;           ///< the bytes do not depend on it
+  std::uint64_t seed = 1;    ///< of noise, texture and wear
 };
 
 /// Renders what a camera sees of a scene: the road with its true paint, the land around it, and vehicles that

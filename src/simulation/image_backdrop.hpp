@@ -26,17 +26,18 @@ class ImageBackdrop {
     float horizon = 0;  ///< [px] row
     float woods = 0;    ///< [px] row of their top
     float hills = 0;    ///< [px] row of their top
-    float sun = 0;      ///< [px] column distance from the sun's, squared
+    float glow = 0;     ///< the sun's, in this column
   };
   ImageLight light_;
   const TextureTile* texture_;
   double pixels_a_radian_;
-  double sun_row_ = 0;  ///< [px] below the horizon is positive
-  double sun_column_ = 0;
+  double sun_height_;   ///< [px] over the horizon
   double bearing_ = 0;  ///< [px] of the first column in the world
   std::vector<Column> columns_;
+  std::vector<Colour> sky_;  ///< by the pixel over the horizon
 
-  [[nodiscard]] Colour sky(const Column& column, double v) const;
+  void lay_sky(int height);
+  [[nodiscard]] float glow_of_row(float above_horizon) const;
 };
 
 }  // namespace lanefuse

@@ -42,6 +42,29 @@ Corners in_front(const Corners& corners) {
   return kept;
 }
 
+/// Lays the face's part in row `v` over the pixels.
+void draw_face(const Face& face, int v, SpanCoverage& coverage, Colour* pixels) {
+  constexpr int kSubRows = 4;
+  for (int i = 0; i < kSubRows; ++i) {
+    const double row = v - 0.5 + (i + 0.5) / kSubRows;
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (std::size_t k = 0; k < face.outline.size(); ++k) {
+      const Eigen::Vector2d& a = face.outline[k];
+      const Eigen::Vector2d& b = face.outline[(k + 1) % face.outline.size()];
+      if ((a.y() <= row) == (b.y() <= row)) continue;
+      const double column = a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      left = std::min(left, column);
+      right = std::max(right, column);
+    }
+    coverage.add(left, right, 1.0F / kSubRows);
+  }
+  for (int u = coverage.begin(); u < coverage.end(); ++u) {
+    pixels[u] += coverage.at(u) * face.opacity * (face.colour - pixels[u]);
+  }
+  coverage.clear();
+}
+
 }  // namespace
 
 ImageFaces::ImageFaces(const CameraModel& camera, const Mounting& mounting, const ImageLight& light)
@@ -76,27 +99,19 @@ std::vector<Face> ImageFaces::sorted() && {
   return std::move(faces_);
 }
 
-void draw_row(const Face& face, int v, SpanCoverage& coverage, Colour* pixels) {
-  if (face.bottom < v - 0.5 || face.top > v + 0.5) return;
-  constexpr int kSubRows = 4;
-  for (int i = 0; i < kSubRows; ++i) {
-    const double row = v - 0.5 + (i + 0.5) / kSubRows;
-    double left = std::numeric_limits<double>::infinity();
-    double right = -left;
-    for (std::size_t k = 0; k < face.outline.size(); ++k) {
-      const Eigen::Vector2d& a = face.outline[k];
-      const Eigen::Vector2d& b = face.outline[(k + 1) % face.outline.size()];
-      if ((a.y() <= row) == (b.y() <= row)) continue;
-      const double column = a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-      left = std::min(left, column);
-      right = std::max(right, column);
+FacesByRow::FacesByRow(std::vector<Face> faces, int height)
+    : faces_(std::move(faces)), rows_(static_cast<std::size_t>(height)) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const double first = std::max(0.0, std::floor(faces_[i].top + 0.5));
+    const double last = std::min(height - 1.0, std::floor(faces_[i].bottom + 0.5));
+    for (double v = first; v <= last; ++v) {
+      rows_[static_cast<std::size_t>(v)].push_back(static_cast<std::uint32_t>(i));
     }
-    coverage.add(left, right, 1.0F / kSubRows);
   }
-  for (int u = coverage.begin(); u < coverage.end(); ++u) {
-    pixels[u] += coverage.at(u) * face.opacity * (face.colour - pixels[u]);
-  }
-  coverage.clear();
+}
+
+void FacesByRow::draw_row(int v, SpanCoverage& coverage, Colour* pixels) const {
+  for (const std::uint32_t i : rows_[static_cast<std::size_t>(v)]) draw_face(faces_[i], v, coverage, pixels);
 }
 
 }  // namespace lanefuse

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -51,6 +52,20 @@ class ImageFaces {
   Eigen::Vector3d eye_;
   Eigen::Matrix3d camera_from_vehicle_;
   std::vector<Face> faces_;
+};
+
+/// Faces of an image in the order in which they are drawn, found by the row.
+class FacesByRow {
+ public:
+  FacesByRow(std::vector<Face> faces, int height);
+
+  /// Lays what row `v` shows of them over its pixels; `coverage` is scratch of the row's width, clear before
+  /// and after.
+  void draw_row(int v, SpanCoverage& coverage, Colour* pixels) const;
+
+ private:
+  std::vector<Face> faces_;
+  std::vector<std::vector<std::uint32_t>> rows_;  ///< indices of the faces that a row shows
 };
 
 /// Lays the face's part in row `v` over the pixels; `coverage` is scratch of the row's width, clear before

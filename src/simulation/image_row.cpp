@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/pose2.hpp"
+#include "simulation/bridges.hpp"
 #include "simulation/image_air.hpp"
 #include "simulation/roadside.hpp"
 #include "simulation/vehicle_faces.hpp"
@@ -29,6 +31,33 @@ ImageLight seen_through(ImageLight light, double visibility) {
 
 double distance_of(const GroundHit& hit) { return std::hypot(hit.x, hit.y); }
 
+bool in_sight(const SceneVehicle& vehicle, const Scene& scene) {
+  return std::abs(vehicle.station - scene.ego.station) < GroundRays::kGroundEnd;
+}
+
+/// Shadows and mirror images.
+std::vector<Face> faces_on_road(const ImageScene::View& view, const ImageLight& light) {
+  ImageFaces faces(view.camera, view.mounting, light);
+  for (const SceneVehicle& vehicle : view.scene.vehicles) {
+    if (!in_sight(vehicle, view.scene)) continue;
+    add_vehicle_shadow(vehicle, view.scene, faces);
+    if (light.mirror > 0) add_mirrored_vehicle(vehicle, view.scene, faces);
+  }
+  return std::move(faces).sorted();
+}
+
+std::vector<Face> upright_faces(const ImageScene::View& view, const RoadAhead& road, const ImageLight& light,
+                                std::uint64_t seed) {
+  ImageFaces faces(view.camera, view.mounting, light);
+  for (const SceneVehicle& vehicle : view.scene.vehicles) {
+    if (in_sight(vehicle, view.scene)) add_vehicle(vehicle, view.scene, faces);
+  }
+  add_guard_rails(view.scene, road, faces);
+  add_trees(view.scene, road, seed, faces);
+  add_bridges(view.scene, road, seed, faces);
+  return std::move(faces).sorted();
+}
+
 }  // namespace
 
 ImageScene::ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
@@ -36,24 +65,16 @@ ImageScene::ImageScene(const View& view, const RenderConfig& config, const Image
     : time_(view.scene.time),
       width_(view.camera.intrinsics().width),
       light_(seen_through(light, view.scene.visibility)),
+      sun_bearing_(light.sun_azimuth - view.scene.ego.world_from_vehicle.heading),
       road_(view.scene, kBehind, GroundRays::kGroundEnd + 60),
       rays_(view.camera, view.mounting, road_),
       surface_(view.scene, road_, textures, light.asphalt, config.texture),
       paint_(view.scene, road_, textures, {light.paint, config.wear, config.texture}),
+      shade_(view.scene, textures, light_, config.seed),
       backdrop_(rays_, view.camera.intrinsics(), light_, textures.wear,
-                view.scene.ego.world_from_vehicle.heading) {
-  ImageFaces shadows(view.camera, view.mounting, light_);
-  ImageFaces faces(view.camera, view.mounting, light_);
-  for (const SceneVehicle& vehicle : view.scene.vehicles) {
-    if (std::abs(vehicle.station - view.scene.ego.station) > GroundRays::kGroundEnd) continue;
-    add_vehicle_shadow(vehicle, view.scene, shadows);
-    add_vehicle(vehicle, view.scene, faces);
-  }
-  add_guard_rails(view.scene, road_, faces);
-  add_trees(view.scene, road_, config.seed, faces);
-  shadows_ = std::move(shadows).sorted();
-  faces_ = std::move(faces).sorted();
-}
+                view.scene.ego.world_from_vehicle.heading),
+      on_road_(faces_on_road(view, light_), view.camera.intrinsics().height),
+      faces_(upright_faces(view, road_, light_, config.seed), view.camera.intrinsics().height) {}
 
 ImageRowPainter::ImageRowPainter(const ImageScene& scene)
     : scene_(&scene), coverage_(scene.width_), albedo_(static_cast<std::size_t>(scene.width_ + kSegment)) {}
@@ -68,6 +89,18 @@ void ImageRowPainter::cast(int v) {
   near_row_ = v;
 }
 
+/// Share of the sky's light that the road throws to the camera: more at a grazing view, and most towards a
+/// sun that shines.
+float ImageRowPainter::mirrored(const GroundHit& hit) const {
+  const ImageLight& light = scene_->light_;
+  if (light.mirror <= 0) return 0;
+  const double grazing = std::exp(-18.0 / std::max(distance_of(hit), 1.0));
+  const double from_sun = wrap_angle(scene_->sun_bearing_ - std::atan2(hit.y, hit.x));
+  const bool sunny = light.sun.head<3>().maxCoeff() > 0;
+  const double towards_sun = sunny ? 2 * std::exp(-from_sun * from_sun / 0.02) : 0;
+  return std::min(1.0F, light.mirror * static_cast<float>(grazing * (1 + towards_sun)));
+}
+
 /// Light on the road, what it mirrors, and the air before it: exact at the segment's ends.
 void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixels) const {
   const ImageLight& light = scene_->light_;
@@ -79,10 +112,9 @@ void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixe
     const GroundHit& hit = near_[i];
     const double distance = distance_of(hit);
     const float kept = air_transmission(distance, light);
-    const auto grazing = static_cast<float>(std::exp(-18.0 / std::max(distance, 1.0)));
-    const float mirrored = light.mirror * grazing;
-    return End{light_on_road(hit.x, hit.y, light) * (kept * (1 - 0.6F * mirrored)),
-               light.horizon * (kept * 0.55F * mirrored + 1 - kept)};
+    const float sky = mirrored(hit);
+    return End{light_on_road(hit.x, hit.y, light) * (kept * (1 - 0.6F * sky)),
+               light.horizon * (kept * 0.55F * sky + 1 - kept)};
   };
   const End left = end_at(static_cast<std::size_t>(node));
   const End right = end_at(static_cast<std::size_t>(node) + 1);
@@ -98,40 +130,39 @@ void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixe
   }
 }
 
+Footprint ImageRowPainter::footprint(std::size_t node) const {
+  return {std::abs(far_[node].way - near_[node].way),
+          std::abs(place(node + 1).lateral - place(node).lateral) / kSegment};
+}
+
+RoadPlace ImageRowPainter::place(std::size_t node) const {
+  return {(far_[node].way + near_[node].way) / 2, (far_[node].lateral + near_[node].lateral) / 2};
+}
+
 void ImageRowPainter::paint_ground(Colour* pixels) {
-  const auto place = [this](std::size_t i) {
-    return RoadPlace{(far_[i].way + near_[i].way) / 2, (far_[i].lateral + near_[i].lateral) / 2};
-  };
-  const auto nodes = static_cast<int>(near_.size());
-  for (int node = 0; node + 1 < nodes; ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    if (!near_[i].ground || !near_[i + 1].ground) continue;
-    const RoadPlace from = place(i);
-    const RoadPlace to = place(i + 1);
-    const Footprint footprint{std::abs(far_[i].way - near_[i].way),
-                              std::abs(to.lateral - from.lateral) / kSegment};
-    scene_->surface_.shade(from, to, footprint, kSegment, &albedo_[i * kSegment]);
+  const auto shows_ground = [this](std::size_t i) { return near_[i].ground && near_[i + 1].ground; };
+  for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
+    if (!shows_ground(i)) continue;
+    scene_->surface_.shade(place(i), place(i + 1), footprint(i), kSegment, &albedo_[i * kSegment]);
   }
   scene_->paint_.lay({&far_, &near_}, coverage_, albedo_.data());
-  for (int node = 0; node + 1 < nodes; ++node) {
-    const auto i = static_cast<std::size_t>(node);
-    if (!near_[i].ground || !near_[i + 1].ground) continue;
-    light_segment(node, &albedo_[i * kSegment], pixels + i * kSegment);
+  for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
+    if (!shows_ground(i)) continue;
+    Colour* const albedo = &albedo_[i * kSegment];
+    scene_->shade_.lay(place(i), place(i + 1), footprint(i), kSegment, albedo);
+    light_segment(static_cast<int>(i), albedo, pixels + i * kSegment);
   }
 }
 
 void ImageRowPainter::paint(int v, Colour* pixels) {
   cast(v);
-  const bool all_ground =
-      std::all_of(near_.begin(), near_.end(), [](const GroundHit& hit) { return hit.ground; });
-  const bool any_ground =
-      std::any_of(near_.begin(), near_.end(), [](const GroundHit& hit) { return hit.ground; });
-  if (!all_ground) scene_->backdrop_.draw_row(v, pixels);
-  if (any_ground) {
+  const auto is_ground = [](const GroundHit& hit) { return hit.ground; };
+  if (!std::all_of(near_.begin(), near_.end(), is_ground)) scene_->backdrop_.draw_row(v, pixels);
+  if (std::any_of(near_.begin(), near_.end(), is_ground)) {
     paint_ground(pixels);
-    for (const Face& shadow : scene_->shadows_) draw_row(shadow, v, coverage_, pixels);
+    scene_->on_road_.draw_row(v, coverage_, pixels);
   }
-  for (const Face& face : scene_->faces_) draw_row(face, v, coverage_, pixels);
+  scene_->faces_.draw_row(v, coverage_, pixels);
 }
 
 }  // namespace lanefuse

@@ -7,6 +7,7 @@
 
 #include "simulation/camera_renderer.hpp"
 #include "simulation/ground_rays.hpp"
+#include "simulation/ground_shade.hpp"
 #include "simulation/image_backdrop.hpp"
 #include "simulation/image_faces.hpp"
 #include "simulation/road_ahead.hpp"
@@ -33,13 +34,15 @@ class ImageScene {
   Time time_;
   int width_;
   ImageLight light_;
+  double sun_bearing_;  ///< [rad] in the vehicle frame
   RoadAhead road_;
   GroundRays rays_;
   RoadSurface surface_;
   RoadPaint paint_;
+  GroundShade shade_;
   ImageBackdrop backdrop_;
-  std::vector<Face> shadows_;
-  std::vector<Face> faces_;
+  FacesByRow on_road_;  ///< shadows and mirror images
+  FacesByRow faces_;
 };
 
 /// Paints rows of a scene from top to bottom, one after the other.
@@ -59,7 +62,11 @@ class ImageRowPainter {
   std::vector<Colour> albedo_;
 
   void cast(int v);
+  /// Of the middle of the row, at a segment's end.
+  [[nodiscard]] RoadPlace place(std::size_t node) const;
+  [[nodiscard]] Footprint footprint(std::size_t node) const;
   void paint_ground(Colour* pixels);
+  [[nodiscard]] float mirrored(const GroundHit& hit) const;
   void light_segment(int node, const Colour* albedo, Colour* pixels) const;
 };
 

@@ -14,6 +14,16 @@ constexpr int kMostPieces = 8;         ///< of an image row
 constexpr int kSamples = 4;            ///< of a piece, to see the ends of dashes
 constexpr float kGhost = 0.35F;        ///< what is left of old paint
 
+constexpr double kSeamWidth = 0.045;  ///< [m]
+constexpr double kSeamEvery = 70;     ///< [m] of the road, with a seam or without
+constexpr float kTar = 0.6F;          ///< of the light that it swallows
+
+/// Whether a line's seam has been filled with tar there.
+bool sealed(int line, double station) {
+  const auto piece = static_cast<std::uint64_t>(std::max(0.0, station / kSeamEvery));
+  return ((piece * 31 + static_cast<std::uint64_t>(line)) * 0x9e3779b97f4a7c15ULL >> 60) < 7;
+}
+
 Colour colour_of(const MarkingEvidence& marking, float white) {
   if (marking.colour == MarkingColour::yellow) return white * colour(0.16F, 0.70F, 0.95F);
   return white * colour(0.97F, 1, 1);
@@ -45,12 +55,26 @@ RoadPaint::RoadPaint(const Scene& scene, const RoadAhead& road, const SurfaceTex
   const double here = scene.ego.station;
   for (int index = 0; index < all.line_count(); ++index) {
     if (!all.line_runs_within(index, {here + first_, here + last_})) continue;
-    Line line{index, {}, all.parts().lines[static_cast<std::size_t>(index)].ghost};
-    for (double way = first_; way <= last_ + kStep; way += kStep) {
-      line.lateral.push_back(static_cast<float>(all.line_lateral(index, here + way)));
-    }
-    lines_.push_back(std::move(line));
+    const bool ghost = all.parts().lines[static_cast<std::size_t>(index)].ghost;
+    if (!ghost && look.seams > 0) add_line(index, Kind::seam);
+    add_line(index, ghost ? Kind::ghost : Kind::paint);
   }
+}
+
+void RoadPaint::add_line(int index, Kind kind) {
+  Line line{index, {}, kind};
+  for (double way = first_; way <= last_ + kStep; way += kStep) {
+    const double station = scene_->ego.station + way;
+    // The pavers' strips meet beside the line, not quite straight.
+    const double beside = 0.22 + 0.02 * std::sin(station / 3.1) + 0.015 * std::sin(station / 0.9);
+    line.lateral.push_back(
+        static_cast<float>(scene_->road->line_lateral(index, station) + (kind == Kind::seam ? beside : 0)));
+  }
+  lines_.push_back(std::move(line));
+}
+
+double RoadPaint::half_width(const Line& line, double station) const {
+  return line.kind == Kind::seam ? kSeamWidth / 2 : scene_->road->marking_width(line.index, station) / 2;
 }
 
 double RoadPaint::lateral(const Line& line, double way) const {
@@ -61,6 +85,10 @@ double RoadPaint::lateral(const Line& line, double way) const {
 }
 
 float RoadPaint::painted_share(const Line& line, double from, double to) const {
+  if (line.kind == Kind::seam) {
+    const double station = scene_->ego.station + (from + to) / 2;
+    return sealed(line.index, station) && scene_->road->line_exists(line.index, station) ? 1 : 0;
+  }
   int painted = 0;
   for (int i = 0; i < kSamples; ++i) {
     const double way = from + (i + 0.5) / kSamples * (to - from);
@@ -89,7 +117,7 @@ void RoadPaint::cover(const Line& line, const GroundRow& row, const SubRow& sub_
       const float painted = painted_share(line, way - depth / 2, way + depth / 2);
       if (painted > 0) {
         const double station = scene_->ego.station + way;
-        const double half = scene_->road->marking_width(line.index, station) / 2;
+        const double half = half_width(line, station);
         const TextureTile::Level ragged = textures_->wear.level(std::max(depth, 0.02), 0.02);
         const double worn = look_.wear * kRaggedEdge;
         const double low = -half + worn * ragged.at(station, 1 + line.index);
@@ -113,7 +141,11 @@ void RoadPaint::blend(const Line& line, const GroundRow& row, SpanCoverage& cove
     const double t = static_cast<double>(u % GroundRays::kSegment) / GroundRays::kSegment;
     const double way = near[node].way + t * (near[node + 1].way - near[node].way);
     const double station = scene_->ego.station + way;
-    float share = coverage.at(u) * (line.ghost ? kGhost : 1.0F);
+    if (line.kind == Kind::seam) {
+      albedo[u] *= 1 - coverage.at(u) * kTar * static_cast<float>(look_.seams);
+      continue;
+    }
+    float share = coverage.at(u) * (line.kind == Kind::ghost ? kGhost : 1.0F);
     if (look_.wear > 0 && share > 0) {
       const double lateral = near[node].lateral + t * (near[node + 1].lateral - near[node].lateral);
       const double across = std::abs(near[node + 1].lateral - near[node].lateral) / GroundRays::kSegment;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "simulation/ground_rays.hpp"
@@ -17,7 +18,8 @@ struct GroundRow {
 };
 
 /// The paint of one scene: every line with its width and dashes, its share of each pixel exact across the
-/// line and finely sampled along it. Worn paint has ragged edges and holes.
+/// line and finely sampled along it. Worn paint has ragged edges and holes. Beside the lanes' lines run seams
+/// of tar, with gaps.
 class RoadPaint {
  public:
   struct Look {
@@ -31,10 +33,11 @@ class RoadPaint {
   void lay(const GroundRow& row, SpanCoverage& coverage, Colour* albedo) const;
 
  private:
+  enum class Kind : std::uint8_t { paint = 0, ghost = 1, seam = 2 };
   struct Line {
     int index = 0;
     std::vector<float> lateral;  ///< [m] every kStep of way
-    bool ghost = false;
+    Kind kind = Kind::paint;
   };
   /// A piece of one image row as the ground sees it.
   struct SubRow {
@@ -50,6 +53,8 @@ class RoadPaint {
   double last_;   ///< [m] way
   std::vector<Line> lines_;
 
+  void add_line(int index, Kind kind);
+  [[nodiscard]] double half_width(const Line& line, double station) const;
   [[nodiscard]] double lateral(const Line& line, double way) const;
   void cover(const Line& line, const GroundRow& row, const SubRow& sub_row, SpanCoverage& coverage) const;
   [[nodiscard]] float painted_share(const Line& line, double from, double to) const;

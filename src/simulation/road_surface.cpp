@@ -3,7 +3,11 @@
 #include "simulation/road_surface.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+
+#include "simulation/ground_rays.hpp"
 
 namespace lanefuse {
 namespace {
@@ -35,7 +39,7 @@ float used(double from_centre) {
 }  // namespace
 
 SurfaceTextures::SurfaceTextures(std::uint64_t seed)
-    : grain({1024, 512, 0.0125}, {{1, 0.7F}, {4, 0.6F}, {16, 0.35F}, {64, 0.2F}}, seed, "asphalt grain"),
+    : grain({512, 512, 0.0125}, {{1, 0.7F}, {4, 0.6F}, {16, 0.35F}, {64, 0.2F}}, seed, "asphalt grain"),
       patches({256, 64, 0.5}, {{1, 0.4F}, {4, 0.6F}, {16, 0.8F}}, seed, "asphalt patches"),
       wear({512, 256, 0.02}, {{1, 0.4F}, {4, 0.7F}, {16, 0.8F}, {64, 0.6F}}, seed, "wear of paint") {}
 
@@ -91,18 +95,22 @@ void RoadSurface::shade(const RoadPlace& from, const RoadPlace& to, const Footpr
   const auto between = static_cast<float>(section - low);
   const Colour* near = &sections_[static_cast<std::size_t>(low) * kCells];
   const Colour* far = near + kCells;
-  const double way_step = (to.way - from.way) / count;
   const double lateral_step = (to.lateral - from.lateral) / count;
+  std::array<float, GroundRays::kSegment> speckles;
+  assert(count <= GroundRays::kSegment);
+  grain.read_run({station_ + from.way, from.lateral, (to.way - from.way) / count, lateral_step}, count,
+                 speckles.data());
+  constexpr float kLast = kCells - 1.01F;
+  const auto first_cell = static_cast<float>((from.lateral + kHalfWidth) / kCell);
+  const auto cell_step = static_cast<float>(lateral_step / kCell);
   for (int i = 0; i < count; ++i) {
-    const double lateral = from.lateral + i * lateral_step;
-    const double cell = std::clamp((lateral + kHalfWidth) / kCell, 0.0, kCells - 1.001);
+    const float cell = std::min(std::max(first_cell + static_cast<float>(i) * cell_step, 0.0F), kLast);
     const auto index = static_cast<int>(cell);
-    const auto across = static_cast<float>(cell - index);
+    const float across = cell - static_cast<float>(index);
     const Colour here = near[index] + across * (near[index + 1] - near[index]);
     const Colour there = far[index] + across * (far[index + 1] - far[index]);
     const Colour ground = here + between * (there - here);
-    const float speckle = grain.at(station_ + from.way + i * way_step, lateral);
-    albedo[i] = ground * (1 + contrast_ * ground[3] * speckle);
+    albedo[i] = ground * (1 + contrast_ * ground[3] * speckles[i]);
   }
 }
 

@@ -61,16 +61,17 @@ void add_post(const Heights& heights, int side, double way, ImageFaces& faces) {
             foot.head<2>().norm() + 1.5, {seen, 1});
 }
 
-/// A crown: a ball of leaves as a polygon that faces the camera.
-void add_crown(const Eigen::Vector3d& middle, double radius, const Colour& colour, ImageFaces& faces) {
+/// A ball of leaves as a ragged polygon that faces the camera.
+void add_leaves(const Eigen::Vector3d& middle, double radius, const Colour& colour, Random& random,
+                ImageFaces& faces) {
   const Eigen::Vector2d ahead = middle.head<2>().normalized();
   std::vector<Eigen::Vector3d> outline;
-  constexpr int kCorners = 9;
+  constexpr int kCorners = 12;
   for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kCorners;
+    const double angle = 2 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / kCorners;
     const double aside = radius * std::cos(angle);
-    outline.push_back(
-        middle + Eigen::Vector3d(-ahead.y() * aside, ahead.x() * aside, 1.25 * radius * std::sin(angle)));
+    outline.push_back(middle +
+                      Eigen::Vector3d(-ahead.y() * aside, ahead.x() * aside, radius * std::sin(angle)));
   }
   faces.add(outline, middle.head<2>().norm(), {colour, 1});
 }
@@ -85,13 +86,18 @@ void add_tree(const Eigen::Vector3d& foot, Random& random, ImageFaces& faces) {
             distance + 1, {colour(0.04F, 0.05F, 0.07F) * light, 1});
   const Colour leaves =
       colour(0.035F, 0.085F, 0.06F) * (1 + 0.35F * static_cast<float>(random.uniform(-1, 1)));
-  constexpr int kBalls = 7;
-  for (int i = 0; i < kBalls; ++i) {
-    const Eigen::Vector3d off(random.uniform(-0.15, 0.15) * height, random.uniform(-0.22, 0.22) * height,
-                              random.uniform(0.35, 0.85) * height);
-    const double radius = random.uniform(0.1, 0.2) * height;
-    const auto shade = static_cast<float>(0.55 + 0.5 * off.z() / height + random.uniform(-0.12, 0.12));
-    add_crown(foot + off, radius, leaves * light * shade, faces);
+  // Small balls near by, where they are seen one by one; the lit ones above and before the dark ones.
+  const int balls = distance < 120 ? 42 : 12;
+  const double size = distance < 120 ? 0.075 : 0.13;
+  for (int i = 0; i < balls; ++i) {
+    const double up_share = (i + 0.5) / balls;
+    const double crown = std::sin(std::numbers::pi * std::min(1.0, 0.18 + 0.82 * up_share));
+    const double around = random.uniform(0, 2 * std::numbers::pi);
+    const double off = 0.27 * height * crown * std::sqrt(random.uniform());
+    const Eigen::Vector3d middle = foot + Eigen::Vector3d(off * std::cos(around), off * std::sin(around),
+                                                          height * (0.28 + 0.66 * up_share));
+    const auto shade = static_cast<float>(0.5 + 0.65 * up_share + random.uniform(-0.25, 0.25));
+    add_leaves(middle, size * height * random.uniform(0.7, 1.3), leaves * light * shade, random, faces);
   }
 }
 

@@ -60,7 +60,7 @@ void TextureTile::add_octave(const Octave& octave, std::vector<float>& values, R
   const int rows = shape_.along / octave.texels;
   const int columns = shape_.across / octave.texels;
   std::vector<float> coarse(static_cast<std::size_t>(rows) * columns);
-  for (float& value : coarse) value = static_cast<float>(random.normal(octave.weight));
+  for (float& value : coarse) value = octave.weight * static_cast<float>(random.uniform(-1, 1));
   const auto smooth = [](float t) { return t * t * (3 - 2 * t); };
   for (int i = 0; i < shape_.along; ++i) {
     const int i0 = i / octave.texels;
@@ -87,7 +87,7 @@ void TextureTile::average(const std::vector<float>& values) {
       if (a > 0) mean = halved_along(mean, shape_.along >> (a - 1), across);
       std::vector<std::int16_t> stored(mean.size());
       std::transform(mean.begin(), mean.end(), stored.begin(), [](float value) {
-        return static_cast<std::int16_t>(std::lround(std::clamp(value, -7.9F, 7.9F) * 4096));
+        return static_cast<std::int16_t>(std::floor(std::clamp(value, -7.9F, 7.9F) * 4096 + 0.5F));
       });
       levels_.push_back(std::move(stored));
     }

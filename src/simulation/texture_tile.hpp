@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -31,12 +31,43 @@ class TextureTile {
    public:
     /// `along` and `across` [m] on the road.
     [[nodiscard]] float at(double along, double across) const {
-      const double a = along * along_scale_;
-      const double c = across * across_scale_;
-      const auto i = static_cast<std::int64_t>(a + kShift) - kShift;
-      const auto j = static_cast<std::int64_t>(c + kShift) - kShift;
-      const auto fa = static_cast<float>(a - static_cast<double>(i));
-      const auto fc = static_cast<float>(c - static_cast<double>(j));
+      return read(fixed(along * along_scale_), fixed(across * across_scale_));
+    }
+    /// The same at `count` places, the first at (along, across) and each one step further.
+    struct Run {
+      double along = 0;        ///< [m]
+      double across = 0;       ///< [m]
+      double along_step = 0;   ///< [m]
+      double across_step = 0;  ///< [m]
+    };
+    void read_run(const Run& run, int count, float* values) const {
+      std::int64_t a = fixed(run.along * along_scale_);
+      std::int64_t c = fixed(run.across * across_scale_);
+      const std::int64_t along_step = fixed(run.along_step * along_scale_);
+      const std::int64_t across_step = fixed(run.across_step * across_scale_);
+      for (int i = 0; i < count; ++i, a += along_step, c += across_step) values[i] = read(a, c);
+    }
+
+   private:
+    friend class TextureTile;
+    static constexpr int kFraction = 16;  ///< bits of a place's fraction
+    static constexpr float kUnit = 1.0F / 4096;
+    const std::int16_t* data_ = nullptr;
+    std::int64_t along_mask_ = 0;
+    std::int64_t across_mask_ = 0;
+    double along_scale_ = 0;
+    double across_scale_ = 0;
+
+    static std::int64_t fixed(double texels) {
+      return static_cast<std::int64_t>(std::floor(texels * (1 << kFraction)));
+    }
+    [[nodiscard]] float read(std::int64_t a, std::int64_t c) const {
+      constexpr std::int64_t kMask = (1 << kFraction) - 1;
+      constexpr float kStep = 1.0F / (1 << kFraction);
+      const std::int64_t i = a >> kFraction;
+      const std::int64_t j = c >> kFraction;
+      const float fa = kStep * static_cast<float>(static_cast<std::int32_t>(a & kMask));
+      const float fc = kStep * static_cast<float>(static_cast<std::int32_t>(c & kMask));
       const std::int16_t* low = data_ + (i & along_mask_) * (across_mask_ + 1);
       const std::int16_t* high = data_ + ((i + 1) & along_mask_) * (across_mask_ + 1);
       const std::int64_t j0 = j & across_mask_;
@@ -44,16 +75,6 @@ class TextureTile {
       const auto mix = [](float x, float y, float f) { return x + f * (y - x); };
       return kUnit * mix(mix(low[j0], low[j1], fc), mix(high[j0], high[j1], fc), fa);
     }
-
-   private:
-    friend class TextureTile;
-    static constexpr std::int64_t kShift = 1 << 30;  // so that casting rounds down
-    static constexpr float kUnit = 1.0F / 4096;
-    const std::int16_t* data_ = nullptr;
-    std::int64_t along_mask_ = 0;
-    std::int64_t across_mask_ = 0;
-    double along_scale_ = 0;
-    double across_scale_ = 0;
   };
   /// For pixels that cover so much ground [m].
   [[nodiscard]] Level level(double along, double across) const;

@@ -34,7 +34,9 @@ Colour paint_of(const SceneVehicle& vehicle, bool truck) {
 /// Gathers a vehicle's faces in its own frame: x ahead from its rear, y to the left, z up.
 class BodyPainter {
  public:
-  BodyPainter(const VehiclePlace& place, ImageFaces& faces) : place_(place), faces_(&faces) {
+  /// `mirror`: 0, or how clearly the road mirrors the vehicle, which is all that is painted then.
+  BodyPainter(const VehiclePlace& place, float mirror, ImageFaces& faces)
+      : place_(place), mirror_(mirror), faces_(&faces) {
     const Eigen::Vector2d rear = place.ego_from_vehicle.position();
     distance_ = std::max(0.5, rear.norm());
     light_ = light_upright(rear.x(), rear.y(), faces.light());
@@ -75,6 +77,7 @@ class BodyPainter {
 
  private:
   VehiclePlace place_;
+  float mirror_;
   ImageFaces* faces_;
   double distance_ = 0;
   Colour light_;
@@ -83,9 +86,9 @@ class BodyPainter {
   void add(std::vector<Eigen::Vector3d> corners, const Colour& radiance) {
     for (Eigen::Vector3d& corner : corners) {
       const Eigen::Vector2d at = place_.ego_from_vehicle * Eigen::Vector2d(corner.head<2>());
-      corner = {at.x(), at.y(), corner.z() + place_.ground};
+      corner = {at.x(), at.y(), place_.ground + (mirror_ > 0 ? -corner.z() : corner.z())};
     }
-    faces_->add(corners, distance_, {radiance, 1});
+    faces_->add(corners, distance_, {radiance, mirror_ > 0 ? mirror_ : 1.0F});
   }
 };
 
@@ -143,6 +146,16 @@ void paint_truck(const VehicleBody& body, const Colour& paint, BodyPainter& pain
   }
 }
 
+void paint_vehicle(const SceneVehicle& vehicle, BodyPainter painter) {
+  const VehicleBody body = body_of(vehicle);
+  const Colour paint = paint_of(vehicle, body.truck);
+  if (body.truck) {
+    paint_truck(body, paint, painter);
+  } else {
+    paint_car(body, paint, painter);
+  }
+}
+
 }  // namespace
 
 VehicleBody body_of(const SceneVehicle& vehicle) {
@@ -167,14 +180,11 @@ VehiclePlace place_of_vehicle(const SceneVehicle& vehicle, const Scene& scene) {
 }
 
 void add_vehicle(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces) {
-  const VehicleBody body = body_of(vehicle);
-  BodyPainter painter(place_of_vehicle(vehicle, scene), faces);
-  const Colour paint = paint_of(vehicle, body.truck);
-  if (body.truck) {
-    paint_truck(body, paint, painter);
-  } else {
-    paint_car(body, paint, painter);
-  }
+  paint_vehicle(vehicle, BodyPainter(place_of_vehicle(vehicle, scene), 0, faces));
+}
+
+void add_mirrored_vehicle(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces) {
+  paint_vehicle(vehicle, BodyPainter(place_of_vehicle(vehicle, scene), 0.4F * faces.light().mirror, faces));
 }
 
 void add_vehicle_shadow(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces) {

@@ -28,6 +28,9 @@ VehiclePlace place_of_vehicle(const SceneVehicle& vehicle, const Scene& scene);
 /// A vehicle as boxes: body, windows, lights, tyres.
 void add_vehicle(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces);
 
+/// Its image in a wet road.
+void add_mirrored_vehicle(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces);
+
 /// What it does to the light on the road: the sun's shadow and the dark under it.
 void add_vehicle_shadow(const SceneVehicle& vehicle, const Scene& scene, ImageFaces& faces);
 

@@ -6,7 +6,7 @@ import program
 
 SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"],
                ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"],
-               ["map", "info"], ["map", "convert"]]
+               ["map", "info"], ["map", "convert"], ["calibrate", "chessboard"], ["calibrate", "mounting"]]
 
 
 class Help(program.ProgramTest):
@@ -43,7 +43,8 @@ class WrongUse(program.ProgramTest):
 
     def test_unknown_options_are_named(self):
         for subcommand in SUBCOMMANDS:
-            self.refuse(2, *subcommand, "x", "-o", "y", "--truth", "exact", "--bogus", naming="--bogus")
+            needed = ["--camera", "z", "--lane-width-m", 3.5] if subcommand[-1] == "mounting" else []
+            self.refuse(2, *subcommand, "x", "-o", "y", "--truth", "exact", *needed, "--bogus", naming="--bogus")
 
     def test_what_is_missing_is_named(self):
         self.refuse(2, "run", naming="drive")
