@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "camera/painted_road.hpp"
+#include "camera/painted_frame.hpp"
 
 namespace lanefuse {
 namespace {
