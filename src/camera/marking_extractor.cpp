@@ -113,15 +113,15 @@ class MarkingExtractor::Stages {
   PaintJudge judge_;
   StillMask still_;
   std::vector<PlannedRow> rows_;
-  std::vector<PaintBar> bars_;
+  std::vector<RoadBar> bars_;
   std::vector<double> published_to_;  ///< [m] by chain
 
   void plan(const CameraPose& pose);
   void look_at(const Input& input, const RoadRays& rays, int plan);
   void add_bar(const Input& input, const RoadRays& rays, int plan, const RowBar& found);
   void publish(const RoadRays& rays);
-  [[nodiscard]] Feature feature_of(const RoadRays& rays, const PaintBar& bar) const;
-  [[nodiscard]] double sigma_px(const PaintBar& bar) const;
+  [[nodiscard]] Feature feature_of(const RoadRays& rays, const RoadBar& bar) const;
+  [[nodiscard]] double sigma_px(const RoadBar& bar) const;
 };
 
 void MarkingExtractor::Stages::plan(const CameraPose& pose) {
@@ -140,7 +140,7 @@ void MarkingExtractor::Stages::add_bar(const Input& input, const RoadRays& rays,
   const auto hit = rays.hit({found.centre, static_cast<double>(row.row)});
   if (!hit || is_hidden(found, row.row, hit->ground, input.vehicles)) return;
   if (config_.learn_still && still_.is_still(row.row, found.left, found.right)) return;
-  PaintBar bar;
+  RoadBar bar;
   bar.bar = found;
   bar.plan = plan;
   bar.row = row.row;
@@ -166,11 +166,11 @@ void MarkingExtractor::Stages::look_at(const Input& input, const RoadRays& rays,
   for (const RowBar& found : finder_.find(signal_, row, slant)) add_bar(input, rays, plan, found);
 }
 
-double MarkingExtractor::Stages::sigma_px(const PaintBar& bar) const {
+double MarkingExtractor::Stages::sigma_px(const RoadBar& bar) const {
   return bar.y_sigma / std::abs(bar.per_pixel(1, 0));
 }
 
-Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const PaintBar& bar) const {
+Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const RoadBar& bar) const {
   Feature feature;
   feature.source = Source::high_resolution_camera;
   feature.x = bar.x;
@@ -187,7 +187,7 @@ void MarkingExtractor::Stages::publish(const RoadRays& rays) {
   features.clear();
   image_bars.clear();
   published_to_.assign(bars_.size(), -kFar);
-  for (const PaintBar& bar : bars_) {
+  for (const RoadBar& bar : bars_) {
     image_bars.push_back({static_cast<double>(rows_[static_cast<std::size_t>(bar.plan)].row), bar.bar.left,
                           bar.bar.right, bar.believed});
     double& published_to = published_to_[static_cast<std::size_t>(bar.chain)];

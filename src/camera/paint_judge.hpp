@@ -36,14 +36,14 @@ class PaintJudge {
 
   /// Finds the lines that the chains make. `stretch_sigma` [1/m]: the pose's pitch sigma over the camera's
   /// height.
-  void find_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
+  void find_lines(const std::vector<RoadBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
 
   /// Marks bars as believed. A far bar without a chain takes its heading from its line.
-  void judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains);
+  void judge(std::vector<RoadBar>& bars, std::span<const BarChain> chains);
 
   [[nodiscard]] const ParallelLines& lines() const { return lines_; }
   /// Solid or dashed, as far as the believed chains of the line through a bar tell.
-  [[nodiscard]] MarkingType type_of(const PaintBar& bar) const;
+  [[nodiscard]] MarkingType type_of(const RoadBar& bar) const;
 
  private:
   struct LineShape {
@@ -60,14 +60,14 @@ class PaintJudge {
   std::vector<double> brightness_;  ///< of bars in chains, against the road
   double usual_brightness_ = 0;
 
-  void cut_into_pieces(const std::vector<PaintBar>& bars, const BarChain& chain);
-  [[nodiscard]] bool stands_upright(const std::vector<PaintBar>& bars, const BarChain& chain) const;
-  void measure_brightness(const std::vector<PaintBar>& bars, std::span<const BarChain> chains);
-  [[nodiscard]] bool is_dull(const std::vector<PaintBar>& bars, const BarChain& chain) const;
-  [[nodiscard]] bool runs_alone(const std::vector<PaintBar>& bars, const BarChain& chain) const;
-  [[nodiscard]] bool fits_a_line(const PaintBar& bar, const BarChain& chain) const;
-  void judge_chain(std::vector<PaintBar>& bars, const BarChain& chain);
-  void measure_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains);
+  void cut_into_pieces(const std::vector<RoadBar>& bars, const BarChain& chain);
+  [[nodiscard]] bool stands_upright(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  void measure_brightness(const std::vector<RoadBar>& bars, std::span<const BarChain> chains);
+  [[nodiscard]] bool is_dull(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  [[nodiscard]] bool runs_alone(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  [[nodiscard]] bool fits_a_line(const RoadBar& bar, const BarChain& chain) const;
+  void judge_chain(std::vector<RoadBar>& bars, const BarChain& chain);
+  void measure_lines(const std::vector<RoadBar>& bars, std::span<const BarChain> chains);
 };
 
 }  // namespace lanefuse
