@@ -128,7 +128,8 @@ std::vector<ImageLabels> load_image_labels(const std::filesystem::path& file, co
   if (!stream) throw input_error(file.string(), "cannot be read");
   std::vector<ImageLabels> frames;
   try {
-    for (const Json& json : Json::parse(stream).at("frames")) {
+    const Json labelled = Json::parse(stream);
+    for (const Json& json : labelled.at("frames")) {
       ImageLabels labels = frame_of(json);
       if (labels.clip == clip) frames.push_back(std::move(labels));
     }
@@ -145,7 +146,7 @@ LabelFigures& LabelFigures::operator+=(const LabelFigures& other) {
   ego_both += other.ego_both;
   right_outer += other.right_outer;
   dummy += other.dummy;
-  error_px += other.error_px;
+  for (std::size_t i = 0; i < error_px.size(); ++i) error_px[i] += other.error_px[i];
   vehicles_found += other.vehicles_found;
   boxes_true += other.boxes_true;
   return *this;
@@ -169,7 +170,8 @@ void judge_labels(const ImageLabels& labels, const LaneEstimate& estimate, const
     const Points near = within(points, projection, tolerance.range);
     for (const Eigen::Vector2d& label : near) {
       if (const auto column = line ? column_at(*line, label.y()) : std::nullopt) {
-        figures.error_px.add(*column - label.x());
+        const auto bin = static_cast<std::size_t>(projection.ground(label)->x() / LabelFigures::kBinLength);
+        if (bin < figures.error_px.size()) figures.error_px[bin].add(*column - label.x());
       }
     }
     return line && !near.empty() && lies_on(near, *line, tolerance.pixels);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -37,14 +38,16 @@ std::vector<ImageLabels> load_image_labels(const std::filesystem::path& file, co
 
 /// Lanes estimated from real images against labels.
 struct LabelFigures {
-  Share ego_left;        ///< of the frames: every point up to the range within the tolerance
-  Share ego_right;       ///< the same
-  Share ego_both;        ///< the same of both
-  Share right_outer;     ///< any boundary there
-  Share dummy;           ///< any boundary in the middle of the lane to the right, where there is none
-  ErrorFigure error_px;  ///< of the ego lane's points, across
-  Share vehicles_found;  ///< of the labelled ones that are near and whole
-  Share boxes_true;      ///< of the boxes nearer than 50 m: labelled ones, near or not, cut or not
+  Share ego_left;     ///< of the frames: every point up to the range within the tolerance
+  Share ego_right;    ///< the same
+  Share ego_both;     ///< the same of both
+  Share right_outer;  ///< any boundary there
+  Share dummy;        ///< any boundary in the middle of the lane to the right, where there is none
+  static constexpr int kBins = 6;
+  static constexpr double kBinLength = 10;  ///< [m]
+  std::array<ErrorFigure, kBins> error_px;  ///< of the ego lane's points, across, by distance
+  Share vehicles_found;                     ///< of the labelled ones that are near and whole
+  Share boxes_true;  ///< of the boxes nearer than 50 m: labelled ones, near or not, cut or not
   LabelFigures& operator+=(const LabelFigures& other);
 };
 

@@ -87,15 +87,25 @@ void print(const LabelFigures& figures, double width, bool json) {
   if (json) {
     nlohmann::ordered_json result;
     for (const auto& [name, share] : shares) result[name] = share_json(*share);
-    result["ego_rmse_px"] = figures.error_px.rmse();
-    result["ego_bias_px"] = figures.error_px.mean();
+    for (std::size_t i = 0; i < figures.error_px.size(); ++i) {
+      const ErrorFigure& error = figures.error_px[i];
+      result["ego_px"].push_back({{"from_m", LabelFigures::kBinLength * static_cast<double>(i)},
+                                  {"points", error.count},
+                                  {"rmse", error.rmse()},
+                                  {"bias", error.mean()}});
+    }
     result["median_ego_width_m"] = width;
     fmt::print("{}\n", result.dump());
     return;
   }
   for (const auto& [name, share] : shares) fmt::print("{:<16}{:>4} of {}\n", name, share->count, share->of);
-  fmt::print("ego lines: {:.2f} px RMSE, {:+.2f} px bias; median width of the ego lane {:.2f} m\n",
-             figures.error_px.rmse(), figures.error_px.mean(), width);
+  for (std::size_t i = 0; i < figures.error_px.size(); ++i) {
+    const ErrorFigure& error = figures.error_px[i];
+    const double from = LabelFigures::kBinLength * static_cast<double>(i);
+    fmt::print("ego lines, {:.0f}-{:.0f} m: {:.2f} px RMSE, {:+.2f} px bias in {} points\n", from,
+               from + LabelFigures::kBinLength, error.rmse(), error.mean(), error.count);
+  }
+  fmt::print("median width of the ego lane {:.2f} m\n", width);
 }
 
 }  // namespace
