@@ -22,7 +22,8 @@ Json share(const Share& s) { return figure(s.value(), s.of > 0); }
 Json angle_json(const ErrorFigure& error) {
   return {{"rmse_deg", figure(error.rmse() * kToDegrees, error.count > 0)},
           {"bias_deg", figure(error.mean() * kToDegrees, error.count > 0)},
-          {"coverage_95", figure(error.coverage(), error.count > 0)}};
+          {"coverage_95", figure(error.coverage(), error.count > 0)},
+          {"consistency", figure(error.consistency(), error.count > 0)}};
 }
 
 Json markings_json(const MarkingFigures& markings) {
@@ -35,6 +36,7 @@ Json markings_json(const MarkingFigures& markings) {
                     {"lateral_bias_px", figure(bin.lateral_px.mean(), bin.lateral_px.count > 0)},
                     {"lateral_rmse_m", figure(bin.lateral.rmse(), bin.lateral.count > 0)},
                     {"coverage_95", figure(bin.lateral.coverage(), bin.lateral.count > 0)},
+                    {"consistency", figure(bin.lateral.consistency(), bin.lateral.count > 0)},
                     {"heading_rmse_deg", figure(bin.heading.rmse() * kToDegrees, bin.heading.count > 0)},
                     {"heading_coverage_95", figure(bin.heading.coverage(), bin.heading.count > 0)},
                     {"found", share(bin.found)},
@@ -60,7 +62,8 @@ Json serial_json(const LaneTrackFigures& figures) {
                                {"count", error.count},
                                {"rmse_m", figure(error.rmse(), error.count > 0)},
                                {"bias_m", figure(error.mean(), error.count > 0)},
-                               {"coverage_95", figure(error.coverage(), error.count > 0)}});
+                               {"coverage_95", figure(error.coverage(), error.count > 0)},
+                               {"consistency", figure(error.consistency(), error.count > 0)}});
   }
   json.update(camera_json(figures));
   return json;

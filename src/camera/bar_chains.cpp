@@ -12,11 +12,13 @@ constexpr double kNone = 1e9;
 constexpr double kWidthRatio = 0.35;     ///< [ln] one sigma between bars of one piece of paint
 constexpr double kContrastRatio = 0.45;  ///< [ln]
 constexpr double kCostMax = 9;
-constexpr double kHeadingJitter = 0.015;  ///< [rad] by which a chain's next step may turn, one sigma
-constexpr double kRowShare = 0.29;        ///< of a row: sigma of where paint that ends within it lies
+constexpr double kCurvatureSigma = 1.0 / 1500;  ///< [1/m] of roads
+constexpr double kHeadingFloor = 0.001;         ///< [rad]
+constexpr double kHeadingJitter = 0.015;        ///< [rad] by which a chain's next step may turn, one sigma
+constexpr double kRowShare = 0.29;              ///< of a row: sigma of where paint that ends within it lies
 
 /// Variance of a bar's place across [m^2]: its noise, and what paint that ends within the row shifts it.
-double place_variance(const PaintBar& bar) {
+double place_variance(const RoadBar& bar) {
   const double slanted = bar.per_pixel(1, 1) * kRowShare * bar.row_height;
   return bar.y_sigma * bar.y_sigma + slanted * slanted;
 }
@@ -37,7 +39,7 @@ struct LineSums {
 
 }  // namespace
 
-void BarChains::index_rows(const std::vector<PaintBar>& bars, int plans) {
+void BarChains::index_rows(const std::vector<RoadBar>& bars, int plans) {
   row_begin_.assign(static_cast<std::size_t>(plans) + 1, static_cast<int>(bars.size()));
   for (std::size_t i = bars.size(); i-- > 0;)
     row_begin_[static_cast<std::size_t>(bars[i].plan)] = static_cast<int>(i);
@@ -46,7 +48,7 @@ void BarChains::index_rows(const std::vector<PaintBar>& bars, int plans) {
   }
 }
 
-double BarChains::cost(const PaintBar& nearer, const PaintBar& farther, int nearer_index) const {
+double BarChains::cost(const RoadBar& nearer, const RoadBar& farther, int nearer_index) const {
   const double dx = farther.x - nearer.x;
   const double dy = farther.y - nearer.y;
   if (!(dx > 0)) return kNone;
@@ -66,15 +68,15 @@ double BarChains::cost(const PaintBar& nearer, const PaintBar& farther, int near
   return way + (width * width + contrast * contrast) / 2 + 0.5 * skipped;
 }
 
-BarChains::Candidate BarChains::best_nearer(const std::vector<PaintBar>& bars, int index) const {
-  const PaintBar& bar = bars[static_cast<std::size_t>(index)];
+BarChains::Candidate BarChains::best_nearer(const std::vector<RoadBar>& bars, int index) const {
+  const RoadBar& bar = bars[static_cast<std::size_t>(index)];
   Candidate best{-1, kNone};
   double least = kCostMax;
   for (int plan = bar.plan - 1; plan >= 0; --plan) {
     const int begin = row_begin_[static_cast<std::size_t>(plan)];
     const int end = row_begin_[static_cast<std::size_t>(plan) + 1];
     for (int i = begin; i < end; ++i) {
-      const PaintBar& nearer = bars[static_cast<std::size_t>(i)];
+      const RoadBar& nearer = bars[static_cast<std::size_t>(i)];
       if (nearer.next >= 0) continue;
       const double cost_here = cost(nearer, bar, i);
       if (cost_here < least) {
@@ -91,9 +93,9 @@ BarChains::Candidate BarChains::best_nearer(const std::vector<PaintBar>& bars, i
   return best;
 }
 
-void BarChains::join(std::vector<PaintBar>& bars, int nearer, int farther) {
-  PaintBar& from = bars[static_cast<std::size_t>(nearer)];
-  PaintBar& to = bars[static_cast<std::size_t>(farther)];
+void BarChains::join(std::vector<RoadBar>& bars, int nearer, int farther) {
+  RoadBar& from = bars[static_cast<std::size_t>(nearer)];
+  RoadBar& to = bars[static_cast<std::size_t>(farther)];
   from.next = farther;
   to.previous = nearer;
   lengths_[static_cast<std::size_t>(farther)] = lengths_[static_cast<std::size_t>(nearer)] + 1;
@@ -102,7 +104,7 @@ void BarChains::join(std::vector<PaintBar>& bars, int nearer, int farther) {
   for (int i = 0; i < 6 && bars[static_cast<std::size_t>(back)].previous >= 0; ++i) {
     back = bars[static_cast<std::size_t>(back)].previous;
   }
-  const PaintBar& begin = bars[static_cast<std::size_t>(back)];
+  const RoadBar& begin = bars[static_cast<std::size_t>(back)];
   const double dx = to.x - begin.x;
   const double variance = (place_variance(begin) + place_variance(to)) / (dx * dx);
   // Near the car a lone bar's best guess is straight ahead.
@@ -111,13 +113,13 @@ void BarChains::join(std::vector<PaintBar>& bars, int nearer, int farther) {
   slopes_[static_cast<std::size_t>(farther)] = slope * prior * prior / (prior * prior + variance);
 }
 
-void BarChains::head(std::vector<PaintBar>& bars, const BarChain& chain) const {
+void BarChains::head(std::vector<RoadBar>& bars, const BarChain& chain) const {
   for (int i = chain.first; i >= 0; i = bars[static_cast<std::size_t>(i)].next) {
-    PaintBar& bar = bars[static_cast<std::size_t>(i)];
+    RoadBar& bar = bars[static_cast<std::size_t>(i)];
     const double base = config_.heading_base + config_.heading_base_growth * bar.x;
     LineSums sums;
     const auto add = [&](int at) {
-      const PaintBar& other = bars[static_cast<std::size_t>(at)];
+      const RoadBar& other = bars[static_cast<std::size_t>(at)];
       if (std::abs(other.x - bar.x) > base) return false;
       const double shifted = other.per_pixel(1, 1) * other.row_sigma;
       const double variance = other.y_sigma * other.y_sigma + shifted * shifted;
@@ -128,14 +130,16 @@ void BarChains::head(std::vector<PaintBar>& bars, const BarChain& chain) const {
     for (int at = bar.next; at >= 0 && add(at);) at = bars[static_cast<std::size_t>(at)].next;
     if (chain.count >= 2 && sums.spread() > 0) {
       bar.heading = std::atan(sums.slope());
-      bar.heading_sigma = 1 / std::sqrt(sums.spread());
+      // At a chain's end the fit looks to one side only, where the road may have turned.
+      const double aside = sums.x / sums.w;
+      bar.heading_sigma = std::hypot(1 / std::sqrt(sums.spread()), aside * kCurvatureSigma, kHeadingFloor);
     } else {
       bar.heading_sigma = kNone;
     }
   }
 }
 
-void BarChains::collect(std::vector<PaintBar>& bars) {
+void BarChains::collect(std::vector<RoadBar>& bars) {
   chains_.clear();
   for (std::size_t i = 0; i < bars.size(); ++i) {
     if (bars[i].previous >= 0) continue;
@@ -151,7 +155,7 @@ void BarChains::collect(std::vector<PaintBar>& bars) {
 }
 
 /// The cheapest pairs of the row first, each nearer bar used once.
-void BarChains::join_row(std::vector<PaintBar>& bars, int begin, int end) {
+void BarChains::join_row(std::vector<RoadBar>& bars, int begin, int end) {
   wanted_.clear();
   for (int i = begin; i < end; ++i) wanted_.push_back(best_nearer(bars, i));
   for (;;) {
@@ -169,7 +173,7 @@ void BarChains::join_row(std::vector<PaintBar>& bars, int begin, int end) {
   }
 }
 
-const std::vector<BarChain>& BarChains::link(std::vector<PaintBar>& bars, int plans) {
+const std::vector<BarChain>& BarChains::link(std::vector<RoadBar>& bars, int plans) {
   index_rows(bars, plans);
   slopes_.assign(bars.size(), 0);
   lengths_.assign(bars.size(), 1);
@@ -182,7 +186,7 @@ const std::vector<BarChain>& BarChains::link(std::vector<PaintBar>& bars, int pl
   return chains_;
 }
 
-void BarChains::measure_headings(std::vector<PaintBar>& bars) const {
+void BarChains::measure_headings(std::vector<RoadBar>& bars) const {
   for (const BarChain& chain : chains_) head(bars, chain);
 }
 

@@ -14,7 +14,7 @@
 namespace lanefuse {
 
 /// A bar of one row and where it lies on the road.
-struct PaintBar {
+struct RoadBar {
   RowBar bar;
   int plan = 0;                                         ///< its row in the plan
   double row = 0;                                       ///< [px]
@@ -59,10 +59,10 @@ class BarChains {
   explicit BarChains(const BarChainsConfig& config) : config_(config) {}
 
   /// `bars` are sorted by row, near to far. Fills in what a bar knows of its chain.
-  const std::vector<BarChain>& link(std::vector<PaintBar>& bars, int plans);
+  const std::vector<BarChain>& link(std::vector<RoadBar>& bars, int plans);
 
   /// Gives each bar the heading of its chain around it.
-  void measure_headings(std::vector<PaintBar>& bars) const;
+  void measure_headings(std::vector<RoadBar>& bars) const;
 
  private:
   struct Candidate {
@@ -76,13 +76,13 @@ class BarChains {
   std::vector<Candidate> wanted_;
   std::vector<BarChain> chains_;
 
-  void index_rows(const std::vector<PaintBar>& bars, int plans);
-  [[nodiscard]] double cost(const PaintBar& nearer, const PaintBar& farther, int nearer_index) const;
-  [[nodiscard]] Candidate best_nearer(const std::vector<PaintBar>& bars, int index) const;
-  void join_row(std::vector<PaintBar>& bars, int begin, int end);
-  void join(std::vector<PaintBar>& bars, int nearer, int farther);
-  void collect(std::vector<PaintBar>& bars);
-  void head(std::vector<PaintBar>& bars, const BarChain& chain) const;
+  void index_rows(const std::vector<RoadBar>& bars, int plans);
+  [[nodiscard]] double cost(const RoadBar& nearer, const RoadBar& farther, int nearer_index) const;
+  [[nodiscard]] Candidate best_nearer(const std::vector<RoadBar>& bars, int index) const;
+  void join_row(std::vector<RoadBar>& bars, int begin, int end);
+  void join(std::vector<RoadBar>& bars, int nearer, int farther);
+  void collect(std::vector<RoadBar>& bars);
+  void head(std::vector<RoadBar>& bars, const BarChain& chain) const;
 };
 
 }  // namespace lanefuse

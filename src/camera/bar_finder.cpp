@@ -12,8 +12,9 @@ constexpr double kThinPaint = 0.15;     ///< [m] the width that the gradient's s
 constexpr int kWidestStep = 8;          ///< [px]
 constexpr double kMadToSigma = 1.4826;  ///< of a normal distribution
 constexpr double kLeastEven = 0.35;     ///< the weaker edge of a bar over the stronger one
-constexpr double kNarrow = 16;          ///< [px] bars up to here are measured as a whole, wider ones by edges
-constexpr double kPriorPixels = 8;      ///< that the row's noise counts for beside the flanks' own
+constexpr int kNarrow = 16;     ///< [px] bars up to here are measured as a whole, wider ones by their edges
+constexpr int kWidestBlur = 6;  ///< [px] that blur and slant take of a bar's side, at most
+constexpr double kPriorPixels = 8;  ///< that the row's noise counts for beside the flanks' own
 
 }  // namespace
 
@@ -98,75 +99,90 @@ BarFinder::Side BarFinder::flank(const RowSignal& signal, int from, int to) cons
   return side;
 }
 
+/// Noise of a pixel as it acts on sums of some: the row's by its gradient, the place's by the flanks.
+double BarFinder::noise_of(const Side& left, const Side& right) const {
+  const double of_row = gradient_noise_ * gradient_noise_ / (2 * step_);
+  const double of_flanks = (left.count - 1) * left.variance + (right.count - 1) * right.variance;
+  return std::sqrt((kPriorPixels * of_row + of_flanks) / (kPriorPixels + left.count + right.count - 2));
+}
+
+/// A bar of few pixels: the centre of mass of what stands out.
+bool BarFinder::measure_whole(const RowSignal& signal, const Place& place, RowBar& bar) const {
+  const int width = place.falling - place.rising;
+  const int begin = place.rising - place.margin;
+  const int end = place.falling + place.margin;
+  const int middle = (place.rising + place.falling) / 2;
+  double area = 0;
+  double moment = 0;
+  for (int u = begin; u < end; ++u) {
+    const double over = signal.level(u) - (u < middle ? place.left.level : place.right.level);
+    area += over;
+    moment += over * (u - middle);
+  }
+  if (!(area > 0.5 * place.contrast * width)) return false;
+  bar.centre = middle + moment / area;
+  const double half = std::clamp(area / place.contrast / 2, width / 4.0, 1.0 * width);
+  bar.left = bar.centre - half;
+  bar.right = bar.centre + half;
+  bar.area = area / signal.rows();
+  // Every pixel by its arm, and the flanks' levels by the first moment of half a window.
+  const double count = end - begin;
+  const double by_pixels = count * count * count / 12;
+  const double by_flanks =
+      count * count * count * count / 64 * (1.0 / place.left.count + 1.0 / place.right.count);
+  bar.sigma = place.noise * std::sqrt(by_pixels + by_flanks) / area;
+  return true;
+}
+
+/// A wide bar: each edge by itself, so that worn paint between them does not count.
+bool BarFinder::measure_edges(const RowSignal& signal, const Place& place, RowBar& bar) const {
+  const int width = place.falling - place.rising;
+  const int reach = std::max(3, width / 3);
+  const int begin = place.rising - place.margin;
+  const int stop = place.rising + place.margin;
+  const int start = place.falling - place.margin;
+  const int end = place.falling + place.margin;
+  const Side paint_left = flank(signal, stop, stop + reach);
+  const Side paint_right = flank(signal, start - reach, start);
+  const double step_left = paint_left.level - place.left.level;
+  const double step_right = paint_right.level - place.right.level;
+  const double least = config_.contrast_min * signal.rows();
+  if (step_left < least || step_right < least) return false;
+  bar.left = stop - 0.5 - (signal.sum(begin, stop) - (stop - begin) * place.left.level) / step_left;
+  bar.right = start - 0.5 + (signal.sum(start, end) - (end - start) * place.right.level) / step_right;
+  bar.centre = (bar.left + bar.right) / 2;
+  bar.area = bar.contrast * (bar.right - bar.left);
+  const double window = 2.0 * place.margin;
+  const double by_levels = window * window / 4 * (1.0 / place.left.count + 1.0 / paint_left.count);
+  bar.sigma = place.noise / place.contrast * std::sqrt((window + by_levels) / 2);
+  return true;
+}
+
 void BarFinder::measure(const RowSignal& signal, int rising, int falling) {
   const int width = falling - rising;
-  const int margin = std::min((width + 1) / 2, 6) + 1;  // what blur and slant take
+  Place place{rising, falling, std::min((width + 1) / 2, kWidestBlur) + 1};
   const int reach = std::clamp(width, 4, 24);
-  const Side left = flank(signal, rising - margin - reach, rising - margin);
-  const Side right = flank(signal, falling + margin, falling + margin + reach);
-  if (left.count < 3 || right.count < 3) return;
-  const int inner = std::min(width / 4, margin);
+  place.left = flank(signal, rising - place.margin - reach, rising - place.margin);
+  place.right = flank(signal, falling + place.margin, falling + place.margin + reach);
+  if (place.left.count < 3 || place.right.count < 3) return;
+  const int inner = std::min(width / 4, place.margin);
   const double inside =
       static_cast<double>(signal.sum(rising + inner, falling - inner)) / (width - 2 * inner);
-  const double over_left = inside - left.level;
-  const double over_right = inside - right.level;
-  const double contrast = (over_left + over_right) / 2;
+  const double over_left = inside - place.left.level;
+  const double over_right = inside - place.right.level;
   const double least = config_.contrast_min * signal.rows();
   if (over_left < least || over_right < least) return;
-  if (over_left > config_.most_uneven * over_right || over_right > config_.most_uneven * over_left) return;
-  // Noise of a pixel as it acts on sums of some: the row's by its gradient, the place's by the flanks.
-  const double of_row = gradient_noise_ * gradient_noise_ / (2 * step_);
-  const int flanks = left.count + right.count - 2;
-  const double variance =
-      (kPriorPixels * of_row + (left.count - 1) * left.variance + (right.count - 1) * right.variance) /
-      (kPriorPixels + flanks);
-  const double noise = std::sqrt(variance);
-  if (contrast * std::sqrt(static_cast<double>(width)) < config_.evidence_min * noise) return;
-
+  if (std::max(over_left, over_right) > config_.most_uneven * std::min(over_left, over_right)) return;
+  place.contrast = (over_left + over_right) / 2;
+  place.noise = noise_of(place.left, place.right);
+  if (place.contrast * std::sqrt(static_cast<double>(width)) < config_.evidence_min * place.noise) return;
   RowBar bar;
-  bar.contrast = contrast / signal.rows();
-  bar.noise = noise / signal.rows();
-  const int begin = rising - margin;
-  const int end = falling + margin;
-  const int middle = (rising + falling) / 2;
-  if (width <= kNarrow) {
-    double area = 0;
-    double moment = 0;
-    for (int u = begin; u < end; ++u) {
-      const double over = signal.level(u) - (u < middle ? left.level : right.level);
-      area += over;
-      moment += over * (u - middle);
-    }
-    if (!(area > 0.5 * contrast * width)) return;
-    bar.centre = middle + moment / area;
-    const double half = std::clamp(area / contrast / 2, width / 4.0, 1.0 * width);
-    bar.left = bar.centre - half;
-    bar.right = bar.centre + half;
-    const int count = end - begin;
-    const double moments = count * count * count / 12.0;
-    const double of_flanks = count * count * count * count / 64.0 * (1.0 / left.count + 1.0 / right.count);
-    bar.sigma = noise * std::sqrt(moments + of_flanks) / area;
-    bar.area = area / signal.rows();
-  } else {
-    const int reach_in = std::min(width / 2, margin + 12);
-    const Side inner_left = flank(signal, rising + margin, rising + margin + std::max(3, width / 3));
-    const Side inner_right = flank(signal, falling - margin - std::max(3, width / 3), falling - margin);
-    const int stop = rising + std::min(reach_in, margin);
-    const int start = falling - std::min(reach_in, margin);
-    const double step_left = inner_left.level - left.level;
-    const double step_right = inner_right.level - right.level;
-    if (step_left < least || step_right < least) return;
-    const double area_left = signal.sum(begin, stop) - (stop - begin) * left.level;
-    const double area_right = signal.sum(start, end) - (end - start) * right.level;
-    bar.left = stop - 0.5 - area_left / step_left;
-    bar.right = start - 0.5 + area_right / step_right;
-    bar.centre = (bar.left + bar.right) / 2;
-    const double window = 2.0 * margin;
-    const double edge = window + window * window / 4 * (1.0 / left.count + 1.0 / inner_left.count);
-    bar.sigma = noise / contrast * std::sqrt(edge / 2);
-    bar.area = bar.contrast * (bar.right - bar.left);
-  }
-  bars_.push_back(bar);
+  bar.contrast = place.contrast / signal.rows();
+  bar.noise = place.noise / signal.rows();
+  bar.road = (place.left.level + place.right.level) / 2 / signal.rows();
+  const bool measured =
+      width <= kNarrow ? measure_whole(signal, place, bar) : measure_edges(signal, place, bar);
+  if (measured) bars_.push_back(bar);
 }
 
 const std::vector<RowBar>& BarFinder::find(const RowSignal& signal, const PlannedRow& row, double slant) {

@@ -27,6 +27,7 @@ struct RowBar {
   double centre = 0;    ///< [px] of its paint
   double sigma = 0;     ///< [px] of the centre, from the noise around it
   double contrast = 0;  ///< [grey levels]
+  double road = 0;      ///< [grey levels] of what lies beside it
   double area = 0;      ///< [grey levels px] of all its paint
   double noise = 0;  ///< [grey levels] of a pixel here, as far as it does not average out over a few of them
 };
@@ -52,6 +53,17 @@ class BarFinder {
     int count = 0;
   };
 
+  /// Where a bar may be, and what is around it.
+  struct Place {
+    int rising = 0;   ///< [px] its edges
+    int falling = 0;  ///< [px]
+    int margin = 0;   ///< [px] that blur and slant take outside of each edge
+    Side left = {};   ///< the road beside it
+    Side right = {};
+    double contrast = 0;
+    double noise = 0;
+  };
+
   BarFinderConfig config_;
   int step_ = 1;  ///< [px] over which the gradient averages on each side
   double gradient_noise_ = 0;
@@ -65,6 +77,9 @@ class BarFinder {
   void find_edges(const RowSignal& signal);
   [[nodiscard]] const Edge* partner(std::size_t rising, double narrowest, double widest) const;
   [[nodiscard]] Side flank(const RowSignal& signal, int from, int to) const;
+  [[nodiscard]] double noise_of(const Side& left, const Side& right) const;
+  bool measure_whole(const RowSignal& signal, const Place& place, RowBar& bar) const;
+  bool measure_edges(const RowSignal& signal, const Place& place, RowBar& bar) const;
   void measure(const RowSignal& signal, int rising, int falling);
 };
 

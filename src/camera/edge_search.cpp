@@ -9,13 +9,28 @@ namespace lanefuse {
 namespace {
 
 constexpr double kWidestPart = 0.35;  ///< of the lane: a window never reaches the next marking
-constexpr double kSharp = 5;          ///< [px] from here on a bar's edges are told apart by blur no longer
+constexpr double kSharp = 5;          ///< [px] narrower bars are as wide as the blur makes them
 
 /// Where the inner edge of a bar is [px].
 double inner_edge(const PaintBar& bar, Side side, double marking_width_px) {
   const double middle = (bar.left + bar.right) / 2;
-  const double half = bar.right - bar.left > kSharp ? (bar.right - bar.left) / 2 : marking_width_px / 2;
+  const double expected = marking_width_px / 2;
+  // Colour is blurred more than brightness, and what is bright beside the paint widens it.
+  constexpr double kUnlike = 0.25;
+  const double half =
+      bar.right - bar.left > kSharp
+          ? std::clamp((bar.right - bar.left) / 2, (1 - kUnlike) * expected, (1 + kUnlike) * expected)
+          : expected;
   return side == Side::left ? middle + half : middle - half;
+}
+
+bool is_of(const PaintBar& bar, MarkingColour colour) {
+  return bar.yellow == (colour == MarkingColour::yellow);
+}
+
+bool has_colour(std::span<const PaintBar> bars, MarkingColour colour) {
+  return colour != MarkingColour::unknown &&
+         std::any_of(bars.begin(), bars.end(), [&](const PaintBar& bar) { return is_of(bar, colour); });
 }
 
 }  // namespace
@@ -67,12 +82,12 @@ void EdgeSearch::search_side(const EdgeScene& scene, const LaneFilter& filter, S
     window.right = column + half;
     window.metres_per_pixel = expected->metres_per_pixel;
     window.hidden = is_hidden(scene.vehicles, column, row);
-    search_window(scene, window, column, slant);
+    search_window(scene, window, slant);
     if (window_count_ == windows_.size() || edge_count_ == edges_.size()) return;
   }
 }
 
-void EdgeSearch::search_window(const EdgeScene& scene, SearchedWindow window, double centre, double slant) {
+void EdgeSearch::search_window(const EdgeScene& scene, SearchedWindow window, double slant) {
   BarQuery query;
   query.row = static_cast<int>(window.row);
   // One row shows a stretch of the road, on which a slanted marking moves sideways.
@@ -89,7 +104,11 @@ void EdgeSearch::search_window(const EdgeScene& scene, SearchedWindow window, do
   const double marking_width =
       scene.marking_widths[window.side == Side::left ? 0 : 1] / window.metres_per_pixel;
   if (!window.hidden && query.left < query.right) {
-    for (const PaintBar& found : finder_.find(scene.image, query)) {
+    const std::span<const PaintBar> bars = finder_.find(scene.image, query);
+    const MarkingColour colour = scene.colours[window.side == Side::left ? 0 : 1];
+    const bool choosy = has_colour(bars, colour);
+    for (const PaintBar& found : bars) {
+      if (choosy && !is_of(found, colour)) continue;
       const double column = inner_edge(found, window.side, marking_width);
       if (column < window.left || column > window.right) continue;
       if (is_hidden(scene.vehicles, column, window.row)) continue;
@@ -105,7 +124,6 @@ void EdgeSearch::search_window(const EdgeScene& scene, SearchedWindow window, do
       ++window.edge_count;
     }
   }
-  (void)centre;
   windows_[window_count_++] = window;
 }
 

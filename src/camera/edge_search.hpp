@@ -14,7 +14,7 @@
 namespace lanefuse {
 
 struct EdgeSearchConfig {
-  double nearest = 6;               ///< [m]
+  double nearest = 5;               ///< [m]
   double farthest = 95;             ///< [m]
   double spacing = 1.045;           ///< ratio of neighbouring windows' distances
   double gate = 3.2;                ///< [sigma]
@@ -28,8 +28,10 @@ struct EdgeScene {
   ImageView image;
   const RoadSight* sight = nullptr;
   std::span<const VehicleBox> vehicles;
-  std::array<double, 2> marking_widths{0.12,
-                                       0.12};  ///< [m] left, right: shifts far bars' middles to their edge
+  /// [m] left, right: shifts far bars' middles to their edge.
+  std::array<double, 2> marking_widths = {0.12, 0.12};
+  /// Left, right: bars of another colour do not count where there are some of this one.
+  std::array<MarkingColour, 2> colours = {MarkingColour::unknown, MarkingColour::unknown};
 };
 
 /// A window that was searched, and its bars if any.
@@ -53,7 +55,7 @@ bool is_hidden(std::span<const VehicleBox> vehicles, double column, double row);
 class EdgeSearch {
  public:
   static constexpr std::size_t kMostWindows = 200;
-  static constexpr std::size_t kMostEdges = 256;
+  static constexpr std::size_t kMostEdges = LaneFilter::kMostEdges;
 
   explicit EdgeSearch(const EdgeSearchConfig& config) : config_(config) {}
 
@@ -75,7 +77,7 @@ class EdgeSearch {
   std::size_t edge_count_ = 0;
 
   void search_side(const EdgeScene& scene, const LaneFilter& filter, Side side);
-  void search_window(const EdgeScene& scene, SearchedWindow window, double centre, double slant);
+  void search_window(const EdgeScene& scene, SearchedWindow window, double slant);
 };
 
 }  // namespace lanefuse

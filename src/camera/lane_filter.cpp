@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -134,34 +135,46 @@ double LaneFilter::noise(const EdgeResidual& residual) const {
 }
 
 State::Vector LaneFilter::best_start(const RoadSight& sight, std::span<const EdgeMeasurement> edges) const {
-  const double sigma = std::sqrt(state_.covariance(State::kPitch, State::kPitch));
-  constexpr int kSteps = 10;          // to either side
-  constexpr double kReach = 3.5;      // [sigma]
-  constexpr double kTolerance = 4.5;  // [px]
+  const double variance = state_.covariance(State::kPitch, State::kPitch);
+  // What would be left of the covariance if the pitch were known.
+  const State::Vector by_pitch = state_.covariance.col(State::kPitch);
+  const State::Matrix rest = state_.covariance - by_pitch * by_pitch.transpose() / variance;
+  constexpr double kTolerance = 4;  // [px]
+  constexpr double kLoosened = 6;   // [sigma^2]
+  std::array<double, kMostEdges> tolerances{};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto expected = edge_residual(sight, edges[i].ray, edges[i].side, state_.mean);
+    if (!expected) continue;
+    const double scatter = expected->jacobian * rest * expected->jacobian.transpose();
+    tolerances[i] = kTolerance * kTolerance + kLoosened * (scatter + noise(*expected));
+  }
+  constexpr int kSteps = 10;      // to either side
+  constexpr double kReach = 3.5;  // [sigma]
   State::Vector best = state_.mean;
   double best_score = -1;
   for (int i = -kSteps; i <= kSteps; ++i) {
-    State::Vector state = state_.mean;
     const double shift = kReach * i / kSteps;
-    state[State::kPitch] += shift * sigma;
-    double score = 0;
-    double in_window = 0;
+    // A pitch that is off says how the rest is off, too.
+    const State::Vector state = state_.mean + shift / std::sqrt(variance) * by_pitch;
+    std::array<double, 2> scores{};
+    std::array<double, 2> in_window{};
     int window = -1;
-    for (const EdgeMeasurement& edge : edges) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const EdgeMeasurement& edge = edges[k];
       if (edge.window != window) {
-        score += in_window;
-        in_window = 0;
+        for (std::size_t s = 0; s < 2; ++s) scores[s] += std::exchange(in_window[s], 0.0);
         window = edge.window;
       }
       const auto residual = edge_residual(sight, edge.ray, edge.side, state);
       if (!residual) continue;
-      in_window =
-          std::max(in_window, edge.confidence * biweight(residual->pixels * residual->pixels,
-                                                         kTolerance * kTolerance + 2 * noise(*residual)));
+      double& score = in_window[edge.side == Side::left ? 0 : 1];
+      score = std::max(score, edge.confidence * biweight(residual->pixels * residual->pixels, tolerances[k]));
     }
-    score += in_window;
-    // Of equals the one that surprises less.
-    score *= 1 - 0.02 * shift * shift;
+    for (std::size_t s = 0; s < 2; ++s) scores[s] += in_window[s];
+    // One marking alone fits any pitch, with a heading to match: what fits both counts twice. Of equals the
+    // one that surprises less.
+    const double score =
+        (scores[0] + scores[1] + 2 * std::sqrt(scores[0] * scores[1])) * (1 - 0.02 * shift * shift);
     if (score > best_score) {
       best_score = score;
       best = state;

@@ -62,13 +62,13 @@ struct LaneFilterConfig {
   double pitch_sigma = 0.010;  ///< [rad]
   double pitch_tau = 0.4;      ///< [s]
   double vertical_curvature_sigma = 4e-5;
-  double vertical_curvature_length = 150;  ///< [m]
-  double width_walk = 0.02;                ///< [m] in 1 s
-  double offset_walk = 0.05;               ///< [m] in 1 s
+  double vertical_curvature_length = 100;  ///< [m]
+  double width_walk = 0.10;                ///< [m] in 1 s
+  double offset_walk = 0.10;               ///< [m] in 1 s
   double drift_walk = 0.003;               ///< [rad] in 1 s
-  double heading_walk = 0.008;             ///< [rad] in 1 s
-  double curvature_walk = 1.0e-4;          ///< [1/m] in 100 m, on top of the rate
-  double curvature_rate_sigma = 6e-6;      ///< [1/m^2]
+  double heading_walk = 0.02;              ///< [rad] in 1 s
+  double curvature_walk = 3e-4;            ///< [1/m] in 100 m, on top of the rate
+  double curvature_rate_sigma = 1e-5;      ///< [1/m^2]
   double curvature_rate_length = 100;      ///< [m]
 };
 
@@ -93,12 +93,13 @@ class LaneFilter {
   /// Variance of an edge's column [px^2].
   [[nodiscard]] double noise(const EdgeResidual& residual) const;
 
+  static constexpr std::size_t kMostEdges = 256;
   struct Fit {
-    int inliers[2] = {0, 0};         ///< left, right
-    double mean_square = 0;          ///< of the inliers' residuals over their sigma
-    std::array<bool, 256> inlier{};  ///< by measurement
+    int inliers[2] = {0, 0};                ///< left, right
+    double mean_square = 0;                 ///< of the inliers' residuals over their sigma
+    std::array<bool, kMostEdges> inlier{};  ///< by measurement
   };
-  /// Takes in what fits together of `edges` (at most 256), robustly, and corrects the state.
+  /// Takes in what fits together of `edges` (at most kMostEdges), robustly, and corrects the state.
   void update(const RoadSight& sight, std::span<const EdgeMeasurement> edges, Fit& fit);
 
   /// The covariance of (y0, theta0, c0, c1) of one edge.

@@ -10,6 +10,7 @@
 #include "camera/edge_search.hpp"
 #include "camera/lane_acquisition.hpp"
 #include "camera/lane_filter.hpp"
+#include "camera/lane_report.hpp"
 #include "camera/marking_sight.hpp"
 #include "camera/paint_memory.hpp"
 
@@ -45,6 +46,8 @@ LaneFilterConfig filter_config(const LaneTrackerConfig& config) {
 }
 
 constexpr double kUsualPaint = 0.12;  ///< [m]
+constexpr int kProofs = 3;            ///< good images in a row that make a lane
+constexpr double kDoubt = 0.25;       ///< [s] without a good image, and the lane is looked for anew
 constexpr double kPatience = 0.7;     ///< [s] a side or a lane is believed without being seen
 
 }  // namespace
@@ -88,9 +91,11 @@ struct LaneTracker::Parts {
 
   void run(const Input& input);
   void advance(const Input& input);
+  void acquire(const EdgeScene& scene);
   bool measure(const EdgeScene& scene);
   void change_lane();
   void change_status(bool good, double seconds);
+  [[nodiscard]] bool is_certain() const;
   void lose();
   void write(const EdgeScene& scene, const CameraPose& pose);
   [[nodiscard]] std::optional<ClothoidMeasurement> edge(Side side, const CameraPose& pose) const;
@@ -104,6 +109,17 @@ void LaneTracker::Parts::advance(const Input& input) {
   filter.correct_pose(is.pitch - was.pitch, is.yaw - was.yaw, was.z > 0 ? is.z / was.z : 1);
   filter.predict(seconds, input.speed, input.yaw_rate);
   for (PaintMemory& memory : paint) memory.move(input.speed * seconds);
+}
+
+void LaneTracker::Parts::acquire(const EdgeScene& scene) {
+  const auto found = acquisition.find(scene);
+  if (!found) return;
+  const double drift = filter.state().mean[LaneState::kDrift];
+  filter.state() = *found;
+  filter.state().mean[LaneState::kDrift] = drift;
+  track.status = LaneTrackStatus::acquiring;
+  proofs = 0;
+  failed = 0;
 }
 
 bool LaneTracker::Parts::measure(const EdgeScene& scene) {
@@ -143,10 +159,18 @@ void LaneTracker::Parts::lose() {
   for (PaintMemory& memory : paint) memory.forget();
 }
 
+/// Both markings were seen in so many rows, with so little that contradicts, that one image is proof enough.
+bool LaneTracker::Parts::is_certain() const {
+  constexpr int kMany = 12;
+  constexpr int kContradicted = 4;
+  return std::all_of(sights.begin(), sights.end(), [](const MarkingSight& sight) {
+    return sight.found >= kMany && sight.found >= kContradicted * sight.open;
+  });
+}
+
 void LaneTracker::Parts::change_status(bool good, double seconds) {
   failed = good ? 0 : failed + seconds;
-  proofs = good ? proofs + 1 : 0;
-  constexpr int kProofs = 3;  // images
+  proofs = good ? proofs + (is_certain() ? kProofs : 1) : 0;
   for (std::size_t s = 0; s < 2; ++s) {
     unseen[s] = good && sights[s].found >= 3 ? 0 : unseen[s] + seconds;
   }
@@ -166,20 +190,14 @@ void LaneTracker::Parts::run(const Input& input) {
   scene.image = input.image;
   scene.sight = &sight;
   scene.vehicles = input.vehicles;
-  for (std::size_t s = 0; s < 2; ++s) scene.marking_widths[s] = paint[s].width().value_or(kUsualPaint);
+  for (std::size_t s = 0; s < 2; ++s) {
+    scene.marking_widths[s] = paint[s].width().value_or(kUsualPaint);
+    scene.colours[s] = paint[s].evidence().colour;
+  }
   track.lane_changed = false;
   const double seconds = std::max(0.0, to_seconds(input.time - track.measured_at));
-  if (track.status == LaneTrackStatus::lost) {
-    const auto found = acquisition.find(scene);
-    if (found) {
-      const double drift = filter.state().mean[LaneState::kDrift];
-      filter.state() = *found;
-      filter.state().mean[LaneState::kDrift] = drift;
-      track.status = LaneTrackStatus::acquiring;
-    }
-  } else {
-    advance(input);
-  }
+  if (track.status != LaneTrackStatus::lost) advance(input);
+  if (track.status == LaneTrackStatus::lost || failed > kDoubt) acquire(scene);
   track.measured_at = input.time;
   last_pose = input.pose;
   if (track.status != LaneTrackStatus::lost) {
@@ -193,21 +211,13 @@ void LaneTracker::Parts::run(const Input& input) {
 
 std::optional<ClothoidMeasurement> LaneTracker::Parts::edge(Side side, const CameraPose& pose) const {
   const std::size_t s = index_of(side);
-  if (track.status != LaneTrackStatus::tracking || unseen[s] >= kPatience || sights[s].found < 3) return {};
-  ClothoidMeasurement edge;
-  edge.clothoid = LaneState::edge(filter.state().mean, side);
-  // What the pose does not know turns and shifts the whole lane: its yaw the heading, its height and roll the
-  // offset.
-  const double y = edge.clothoid.lateral_offset;
-  const double height = std::max(0.1, pose.mounting.z);
-  Eigen::Matrix4d by_pose = Eigen::Matrix4d::Zero();  // d (y0, theta0, c0, c1) / d (height, roll, pitch, yaw)
-  by_pose(0, 0) = y / height;
-  by_pose(0, 1) = height + y * y / height;
-  by_pose(1, 3) = 1;
-  edge.covariance = filter.edge_covariance(side) + by_pose * pose.covariance * by_pose.transpose();
+  constexpr int kLeast = 3;  // windows
+  if (track.status != LaneTrackStatus::tracking || unseen[s] >= kPatience || sights[s].found < kLeast) {
+    return {};
+  }
+  ClothoidMeasurement edge = measured_edge(filter, side, pose);
   edge.range_begin = sights[s].begin;
   edge.range_end = sights[s].end;
-  edge.side = side;
   edge.marking = paint[s].evidence();
   const double expected = edge.marking.type == MarkingType::solid ? 0.9 : 0.3;
   edge.confidence = std::clamp(sights[s].support / expected, 0.05, 1.0) * (1 - unseen[s] / kPatience);
@@ -215,22 +225,11 @@ std::optional<ClothoidMeasurement> LaneTracker::Parts::edge(Side side, const Cam
 }
 
 void LaneTracker::Parts::write(const EdgeScene& scene, const CameraPose& pose) {
-  const LaneState::Vector& mean = filter.state().mean;
-  const LaneState::Matrix& covariance = filter.state().covariance;
   track.left = edge(Side::left, pose);
   track.right = edge(Side::right, pose);
   track.left_marking_width = paint[0].width();
   track.right_marking_width = paint[1].width();
-  track.lateral_offset = mean[LaneState::kOffset];
-  track.width = mean[LaneState::kWidth];
-  track.width_sigma = std::sqrt(covariance(LaneState::kWidth, LaneState::kWidth));
-  track.heading = mean[LaneState::kHeading];
-  track.curvature = mean[LaneState::kCurvature];
-  track.pitch = mean[LaneState::kPitch];
-  track.pitch_sigma = std::sqrt(covariance(LaneState::kPitch, LaneState::kPitch));
-  track.vertical_curvature = mean[LaneState::kVerticalCurvature];
-  track.vertical_curvature_sigma =
-      std::sqrt(covariance(LaneState::kVerticalCurvature, LaneState::kVerticalCurvature));
+  write_state(filter.state(), track);
   track.range = 0;
   track.quality = 0;
   for (const auto* side : {&track.left, &track.right}) {
@@ -241,8 +240,8 @@ void LaneTracker::Parts::write(const EdgeScene& scene, const CameraPose& pose) {
   track.left_neighbour.reset();
   track.right_neighbour.reset();
   if (track.status == LaneTrackStatus::tracking) {
-    track.left_neighbour = neighbours.measure(scene, mean, Side::left);
-    track.right_neighbour = neighbours.measure(scene, mean, Side::right);
+    track.left_neighbour = neighbours.measure(scene, filter.state().mean, Side::left);
+    track.right_neighbour = neighbours.measure(scene, filter.state().mean, Side::right);
   }
   track.windows.clear();
   if (track.status != LaneTrackStatus::lost) list_windows(search, fit, track.windows);

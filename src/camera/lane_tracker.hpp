@@ -52,7 +52,7 @@ struct LaneTrack {
 };
 
 struct LaneTrackerConfig {
-  double nearest = 6;          ///< [m] of the first search window
+  double nearest = 5;          ///< [m] of the first search window
   double farthest = 95;        ///< [m] of the last one
   double spacing = 1.045;      ///< ratio of the distances of neighbouring windows; at least one row apart
   double gate = 3.2;           ///< [sigma] half width of a window, and beyond which an edge is an outlier
@@ -66,7 +66,7 @@ struct LaneTrackerConfig {
   double pitch_sigma = 0.010;              ///< [rad] of the body's pitch around its mean
   double pitch_tau = 0.4;                  ///< [s]
   double vertical_curvature_sigma = 4e-5;  ///< [1/m]
-  double vertical_curvature_length = 150;  ///< [m] over which it changes
+  double vertical_curvature_length = 100;  ///< [m] over which it changes
 };
 
 /// The serial camera's lane tracker [IROS16, sec. II-B; Meis 2010]: an iterated extended Kalman filter over

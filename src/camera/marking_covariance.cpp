@@ -10,7 +10,7 @@ namespace {
 constexpr double kArm = 0.5;  ///< [m] to either side, over which a direction's change is taken
 
 /// d (x, y, heading) / d (height, roll, pitch, yaw, vertical curvature).
-Eigen::Matrix<double, 3, 5> by_pose(const RoadRays& rays, const PaintBar& bar) {
+Eigen::Matrix<double, 3, 5> by_pose(const RoadRays& rays, const RoadBar& bar) {
   const Eigen::Vector2d along(std::cos(bar.heading), std::sin(bar.heading));
   const Eigen::RowVector2d across(-along.y(), along.x());
   const Eigen::Vector2d place(bar.x, bar.y);
@@ -24,7 +24,7 @@ Eigen::Matrix<double, 3, 5> by_pose(const RoadRays& rays, const PaintBar& bar) {
 
 }  // namespace
 
-Eigen::Matrix3d marking_covariance(const RoadRays& rays, const PaintBar& bar, const PixelSigma& noise,
+Eigen::Matrix3d marking_covariance(const RoadRays& rays, const RoadBar& bar, const PixelSigma& noise,
                                    double heading_sigma) {
   const CameraPose& pose = rays.pose();
   const Eigen::Matrix<double, 3, 5> j = by_pose(rays, bar);

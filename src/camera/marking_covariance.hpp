@@ -17,7 +17,7 @@ struct PixelSigma {
 /// Sigma of (x, y, heading) of paint at `ground`: the bar's own noise, and what the camera's pose and the
 /// road's vertical curvature do to its place and to its direction together. `heading_sigma` [rad] is the
 /// noise's part.
-Eigen::Matrix3d marking_covariance(const RoadRays& rays, const PaintBar& bar, const PixelSigma& noise,
+Eigen::Matrix3d marking_covariance(const RoadRays& rays, const RoadBar& bar, const PixelSigma& noise,
                                    double heading_sigma);
 
 }  // namespace lanefuse

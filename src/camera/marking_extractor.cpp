@@ -9,23 +9,39 @@
 #include "camera/paint_ends.hpp"
 #include "camera/paint_judge.hpp"
 #include "camera/row_plan.hpp"
+#include "camera/still_mask.hpp"
 
 namespace lanefuse {
 namespace {
 
-constexpr double kSlantLateral = 8;         ///< [m] to the side up to which slanted paint is not too wide
-constexpr double kBoxMargin = 0.06;         ///< of a vehicle's width, beside it
-constexpr double kShadowMargin = 0.12;      ///< of its height, below it
-constexpr double kPitchSigmaLeast = 0.002;  ///< [rad] no pose knows the pitch of one image better
-constexpr double kRowShare = 0.29;          ///< of a row: sigma of where paint that ends within it lies
-constexpr double kYellow = 0.35;            ///< of the contrast: blue that is missing in yellow paint
+constexpr double kSlantLateral = 8;          ///< [m] to the side up to which slanted paint is not too wide
+constexpr double kBoxMargin = 0.06;          ///< of a vehicle's width, beside it
+constexpr double kSideMargin = 0.2;          ///< [m] beside a vehicle's flank
+constexpr double kSideMarginGrowth = 0.005;  ///< [m] of that for each metre of distance
+constexpr double kShadowMargin = 0.12;       ///< of its height, below it
+constexpr double kPitchSigmaLeast = 0.002;   ///< [rad] no pose knows the pitch of one image better
+constexpr double kRowShare = 0.29;           ///< of a row: sigma of where paint that ends within it lies
+constexpr double kFar = 1e9;                 ///< [m]
+constexpr double kYellow = 0.35;             ///< of the contrast: blue that is missing in yellow paint
 
-bool hidden(const RowBar& bar, int row, std::span<const VehicleBox> vehicles) {
+/// Whether a place of the road lies beside a vehicle, on the car's side of it: a box around a vehicle that is
+/// not straight ahead holds a corner of free road.
+bool lies_beside(const Eigen::Vector2d& ground, const VehicleBox& box) {
+  if (!(box.width > 0) || !(box.distance > 0)) return false;
+  const double margin = kSideMargin + kSideMarginGrowth * ground.x();
+  const double side = std::abs(box.lateral) - box.width / 2 - margin;
+  const double place = box.lateral > 0 ? ground.y() : -ground.y();
+  return side > 0 && place < side;
+}
+
+bool is_hidden(const RowBar& bar, int row, const Eigen::Vector2d& ground,
+               std::span<const VehicleBox> vehicles) {
   return std::any_of(vehicles.begin(), vehicles.end(), [&](const VehicleBox& box) {
     const double aside = kBoxMargin * (box.right - box.left);
     const double below = kShadowMargin * (box.bottom - box.top);
-    return bar.right > box.left - aside && bar.left < box.right + aside && row > box.top &&
-           row < box.bottom + below;
+    const bool inside = bar.right > box.left - aside && bar.left < box.right + aside && row > box.top &&
+                        row < box.bottom + below;
+    return inside && !lies_beside(ground, box);
   });
 }
 
@@ -75,11 +91,13 @@ class MarkingExtractor::Stages {
         finder_(intrinsics.width, finder_config(config)),
         chains_(chains_config(config)),
         ends_(config.blur_px),
-        judge_({}) {
+        judge_({}),
+        still_(intrinsics.width, intrinsics.height) {
     rows_.reserve(static_cast<std::size_t>(intrinsics.height));
   }
 
   void extract(const Input& input);
+  void reset() { still_.reset(); }
 
   std::vector<Feature> features;
   std::vector<ImageBar> image_bars;
@@ -93,15 +111,17 @@ class MarkingExtractor::Stages {
   BarChains chains_;
   PaintEnds ends_;
   PaintJudge judge_;
+  StillMask still_;
   std::vector<PlannedRow> rows_;
-  std::vector<PaintBar> bars_;
+  std::vector<RoadBar> bars_;
+  std::vector<double> published_to_;  ///< [m] by chain
 
   void plan(const CameraPose& pose);
   void look_at(const Input& input, const RoadRays& rays, int plan);
   void add_bar(const Input& input, const RoadRays& rays, int plan, const RowBar& found);
   void publish(const RoadRays& rays);
-  [[nodiscard]] Feature feature_of(const RoadRays& rays, const PaintBar& bar) const;
-  [[nodiscard]] double sigma_px(const PaintBar& bar) const;
+  [[nodiscard]] Feature feature_of(const RoadRays& rays, const RoadBar& bar) const;
+  [[nodiscard]] double sigma_px(const RoadBar& bar) const;
 };
 
 void MarkingExtractor::Stages::plan(const CameraPose& pose) {
@@ -117,10 +137,10 @@ void MarkingExtractor::Stages::plan(const CameraPose& pose) {
 void MarkingExtractor::Stages::add_bar(const Input& input, const RoadRays& rays, int plan,
                                        const RowBar& found) {
   const PlannedRow& row = rows_[static_cast<std::size_t>(plan)];
-  if (hidden(found, row.row, input.vehicles)) return;
   const auto hit = rays.hit({found.centre, static_cast<double>(row.row)});
-  if (!hit) return;
-  PaintBar bar;
+  if (!hit || is_hidden(found, row.row, hit->ground, input.vehicles)) return;
+  if (config_.learn_still && still_.is_still(row.row, found.left, found.right)) return;
+  RoadBar bar;
   bar.bar = found;
   bar.plan = plan;
   bar.row = row.row;
@@ -146,11 +166,11 @@ void MarkingExtractor::Stages::look_at(const Input& input, const RoadRays& rays,
   for (const RowBar& found : finder_.find(signal_, row, slant)) add_bar(input, rays, plan, found);
 }
 
-double MarkingExtractor::Stages::sigma_px(const PaintBar& bar) const {
+double MarkingExtractor::Stages::sigma_px(const RoadBar& bar) const {
   return bar.y_sigma / std::abs(bar.per_pixel(1, 0));
 }
 
-Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const PaintBar& bar) const {
+Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const RoadBar& bar) const {
   Feature feature;
   feature.source = Source::high_resolution_camera;
   feature.x = bar.x;
@@ -166,10 +186,14 @@ Feature MarkingExtractor::Stages::feature_of(const RoadRays& rays, const PaintBa
 void MarkingExtractor::Stages::publish(const RoadRays& rays) {
   features.clear();
   image_bars.clear();
-  for (const PaintBar& bar : bars_) {
+  published_to_.assign(bars_.size(), -kFar);
+  for (const RoadBar& bar : bars_) {
     image_bars.push_back({static_cast<double>(rows_[static_cast<std::size_t>(bar.plan)].row), bar.bar.left,
                           bar.bar.right, bar.believed});
-    if (bar.believed) features.push_back(feature_of(rays, bar));
+    double& published_to = published_to_[static_cast<std::size_t>(bar.chain)];
+    if (!bar.believed || bar.x < published_to + config_.feature_spacing) continue;
+    published_to = bar.x;
+    features.push_back(feature_of(rays, bar));
   }
 }
 
@@ -189,6 +213,7 @@ void MarkingExtractor::Stages::extract(const Input& input) {
   chains_.measure_headings(bars_);
   judge_.judge(bars_, chains);
   publish(rays);
+  if (config_.learn_still) still_.learn(input.image, input.distance_moved);
 }
 
 MarkingExtractor::MarkingExtractor(const CameraIntrinsics& intrinsics, const MarkingExtractorConfig& config)
@@ -208,6 +233,6 @@ SharedError MarkingExtractor::shared_error() const {
   return {SharedError::Kind::pitch, stages_->pitch_sigma};
 }
 
-void MarkingExtractor::reset() {}
+void MarkingExtractor::reset() { stages_->reset(); }
 
 }  // namespace lanefuse

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lanefuse {
 namespace {
@@ -35,7 +36,7 @@ void OnlineCalibration::reset() {
   status_ = CalibrationStatus::learning;
   block_ = {};
   last_.reset();
-  contradictions_.fill(0);
+  residuals_.fill({});
   learned_ = 0;
   publish();
 }
@@ -188,17 +189,22 @@ void OnlineCalibration::learn_height() {
 }
 
 void OnlineCalibration::learn(int what, double residual, const RowVector& jacobian, double variance) {
-  const double expected = jacobian * state_.covariance * jacobian.transpose() + variance;
-  constexpr double kContradiction = 3.5;  // [sigma]
-  constexpr int kKnock = 3;               // half seconds
-  int& contradictions = contradictions_[static_cast<std::size_t>(what)];
-  if (std::abs(residual) > kContradiction * std::sqrt(expected)) {
-    const int sign = residual > 0 ? 1 : -1;
-    contradictions = contradictions * sign > 0 ? contradictions + sign : sign;
-    if (std::abs(contradictions) < kKnock) return;
+  const double known = jacobian * state_.covariance * jacobian.transpose();
+  Residuals& last = residuals_[static_cast<std::size_t>(what)];
+  std::rotate(last.values.begin(), last.values.end() - 1, last.values.end());
+  last.values[0] = residual;
+  last.count = std::min(last.count + 1, kRemembered);
+  // Neighbouring blocks are not quite independent.
+  constexpr double kDependent = 1.3;
+  constexpr double kKnock = 4.8;          // [sigma] of the mean
+  constexpr double kContradiction = 3.5;  // [sigma] of one
+  const double mean = std::accumulate(last.values.begin(), last.values.end(), 0.0) / kRemembered;
+  const double mean_sigma = std::sqrt(known + kDependent * variance / kRemembered);
+  if (last.count == kRemembered && std::abs(mean) > kKnock * mean_sigma) {
     knock(what);
+  } else if (std::abs(residual) > kContradiction * std::sqrt(known + variance)) {
+    return;
   }
-  contradictions = 0;
   const Eigen::Matrix<double, 1, 1> surprise(residual);
   const Eigen::Matrix<double, 1, 1> noise(variance);
   lanefuse::update<kSize, 1>(state_, surprise, jacobian, noise);
@@ -214,7 +220,7 @@ void OnlineCalibration::knock(int what) {
   state_.covariance(kRoll, kRoll) += square(rolled ? kKnocked : kRollPerhaps);
   status_ = CalibrationStatus::bumped;
   learned_ = 0;
-  contradictions_.fill(0);
+  residuals_.fill({});
 }
 
 void OnlineCalibration::forget_differences() {

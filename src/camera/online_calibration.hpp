@@ -15,7 +15,7 @@ namespace lanefuse {
 
 struct OnlineCalibrationConfig {
   // How well the rig's mounting is known.
-  double height_sigma = 0.03;  ///< [m]
+  double height_sigma = 0.015;  ///< [m]
   double roll_sigma = 0.005;   ///< [rad]
   double pitch_sigma = 0.010;  ///< [rad]
   double yaw_sigma = 0.007;    ///< [rad]
@@ -40,7 +40,7 @@ struct OnlineCalibrationConfig {
 /// points, the roll from how wide the neighbour lanes look beside the ego lane, the height from a known lane
 /// width only. A Kalman filter over the four and over how the neighbour lanes truly differ.
 ///
-/// A camera that is knocked out of place is noticed when three half seconds in a row contradict what was
+/// A camera that is knocked out of place is noticed when the mean of three half seconds contradicts what was
 /// learned, and learned anew. Deterministic; allocates nothing.
 class OnlineCalibration {
  public:
@@ -97,8 +97,14 @@ class OnlineCalibration {
   Gaussian<kSize> state_;
   Block block_;
   std::optional<Time> last_;
-  std::array<int, kSize> contradictions_{};  ///< in a row, signed, by what was measured
-  double learned_ = 0;                       ///< [s] since the start or the last knock
+  static constexpr std::size_t kRemembered = 3;
+  /// The last blocks' residuals, newest first, by what was measured.
+  struct Residuals {
+    std::array<double, kRemembered> values{};
+    std::size_t count = 0;
+  };
+  std::array<Residuals, kSize> residuals_{};
+  double learned_ = 0;  ///< [s] since the start or the last knock
 
   void add(const LaneTrack& track, double speed, double yaw_rate, double seconds);
   void add_neighbour(const LaneTrack& track, Side side);
@@ -107,7 +113,7 @@ class OnlineCalibration {
   void learn_yaw();
   void learn_roll(Side side);
   void learn_height();
-  /// Takes in one number unless it contradicts; what contradicts three times in a row is a knock.
+  /// Takes in one number unless it contradicts; where three in a row contradict as one, it was a knock.
   void learn(int what, double residual, const RowVector& jacobian, double variance);
   void knock(int what);
   void forget_differences();

@@ -25,7 +25,9 @@ struct BarQuery {
   int right = 0;         ///< last column
   double narrowest = 1;  ///< [px]
   double widest = 10;    ///< [px]
-  double contrast = 7;   ///< [grey levels] least step at both edges
+  /// [grey levels] least step at both edges on a road with usual grain; 0.6 of it where the image is smooth,
+  /// up to double where it is noisy.
+  double contrast = 7;
 };
 
 /// Finds bars in pieces of image rows by pairing a rise with the fall behind it, sub-pixel, in grey levels

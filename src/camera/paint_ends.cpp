@@ -9,11 +9,11 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kSigmaInside = 0.03;       ///< [rows] of paint that fills its row
-constexpr double kSigmaAlone = 0.45;        ///< [sigma of a row's view] of a bar without a chain
-constexpr double kSigmaOfFill = 0.12;       ///< of the share of a row that is paint: paint varies
-constexpr double kSigmaOfShortFill = 0.25;  ///< the same where the chain is too short to show a full row
-constexpr double kSigmaOfShift = 0.25;      ///< share of the shift that may be wrong
+constexpr double kSigmaInside = 0.03;      ///< [rows] of paint that fills its row
+constexpr double kSigmaAlone = 0.45;       ///< [sigma of a row's view] of a bar without a chain
+constexpr double kSigmaOfFill = 0.12;      ///< of the share of a row that is paint: paint varies
+constexpr double kSigmaOfShortFill = 0.4;  ///< the same where the chain is too short to show a full row
+constexpr double kSigmaOfShift = 0.25;     ///< share of the shift that may be wrong
 
 constexpr double kLeastFill = 0.25;  ///< of a row: with less paint its place is a guess
 constexpr double kShiftMost = 0.8;   ///< of the row's height
@@ -30,21 +30,21 @@ double shift_of(double fill) {
 }
 
 /// Sigma of what a row sees, along the column [px].
-double view_of(const PaintBar& bar, double blur_px) {
+double view_of(const RoadBar& bar, double blur_px) {
   return std::sqrt(bar.row_height * bar.row_height / 12.0 + blur_px * blur_px);
 }
 
 /// Paint in a row: brightness times width on the ground [grey levels m].
-double paint_of(const PaintBar& bar) { return bar.bar.area * std::abs(bar.per_pixel(1, 0)); }
+double paint_of(const RoadBar& bar) { return bar.bar.area * std::abs(bar.per_pixel(1, 0)); }
 
-void shift(PaintBar& bar, double rows) {
+void shift(RoadBar& bar, double rows) {
   bar.row += rows;
   bar.x += bar.per_pixel(0, 1) * rows;
   bar.y += bar.per_pixel(1, 1) * rows;
 }
 
 /// The paint of a full row of the chain: what its brighter bars have.
-double brightest(const std::vector<PaintBar>& bars, const BarChain& chain) {
+double brightest(const std::vector<RoadBar>& bars, const BarChain& chain) {
   double most = 0;
   double second = 0;
   for (int i = chain.first; i >= 0; i = bars[static_cast<std::size_t>(i)].next) {
@@ -56,15 +56,15 @@ double brightest(const std::vector<PaintBar>& bars, const BarChain& chain) {
 }
 
 /// The line that a chain belongs to, or nothing.
-const ParallelLines::Line* line_of(const std::vector<PaintBar>& bars, const BarChain& chain,
+const ParallelLines::Line* line_of(const std::vector<RoadBar>& bars, const BarChain& chain,
                                    const ParallelLines& lines) {
-  const PaintBar& bar = bars[static_cast<std::size_t>(chain.first)];
+  const RoadBar& bar = bars[static_cast<std::size_t>(chain.first)];
   return lines.nearest(lines.offset(bar.x, bar.y), kLineReach);
 }
 
 }  // namespace
 
-void PaintEnds::learn(const std::vector<PaintBar>& bars, std::span<const BarChain> chains,
+void PaintEnds::learn(const std::vector<RoadBar>& bars, std::span<const BarChain> chains,
                       const ParallelLines& lines) {
   long_chains_.clear();
   for (const BarChain& chain : chains) {
@@ -78,7 +78,7 @@ void PaintEnds::learn(const std::vector<PaintBar>& bars, std::span<const BarChai
   });
 }
 
-double PaintEnds::full_paint(const std::vector<PaintBar>& bars, const BarChain& chain,
+double PaintEnds::full_paint(const std::vector<RoadBar>& bars, const BarChain& chain,
                              const ParallelLines& lines) const {
   const double own = brightest(bars, chain);
   if (chain.count >= kLong) return own;
@@ -94,7 +94,7 @@ double PaintEnds::full_paint(const std::vector<PaintBar>& bars, const BarChain& 
 }
 
 /// `direction`: +1 where the paint lies below the row's middle, in the image.
-void PaintEnds::settle_bar(PaintBar& bar, double full, double direction, bool is_long) const {
+void PaintEnds::settle_bar(RoadBar& bar, double full, double direction, bool is_long) const {
   const double view = view_of(bar, blur_px_);
   const double fill = paint_of(bar) / full;
   const double sigmas = shift_of(fill);
@@ -105,20 +105,20 @@ void PaintEnds::settle_bar(PaintBar& bar, double full, double direction, bool is
   shift(bar, direction * std::min(view * sigmas, kShiftMost * bar.row_height));
 }
 
-void PaintEnds::settle(std::vector<PaintBar>& bars, std::span<const BarChain> chains,
+void PaintEnds::settle(std::vector<RoadBar>& bars, std::span<const BarChain> chains,
                        const ParallelLines& lines) {
   learn(bars, chains, lines);
-  for (PaintBar& bar : bars) bar.row_sigma = kSigmaInside;
+  for (RoadBar& bar : bars) bar.row_sigma = kSigmaInside;
   for (const BarChain& chain : chains) {
-    PaintBar& first = bars[static_cast<std::size_t>(chain.first)];
-    PaintBar& last = bars[static_cast<std::size_t>(chain.last)];
+    RoadBar& first = bars[static_cast<std::size_t>(chain.first)];
+    RoadBar& last = bars[static_cast<std::size_t>(chain.last)];
     if (chain.count == 1) {
       first.row_sigma = kSigmaAlone * view_of(first, blur_px_);
       continue;
     }
     const double full = full_paint(bars, chain, lines);
-    PaintBar& second = bars[static_cast<std::size_t>(first.next)];
-    PaintBar& before = bars[static_cast<std::size_t>(last.previous)];
+    RoadBar& second = bars[static_cast<std::size_t>(first.next)];
+    RoadBar& before = bars[static_cast<std::size_t>(last.previous)];
     // The blur of an end reaches the next row, where that is the next of the image.
     const bool is_long = chain.count >= kLong;
     const bool second_too = is_long && first.row - second.row < 1.5;

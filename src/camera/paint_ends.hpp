@@ -21,7 +21,7 @@ class PaintEnds {
   explicit PaintEnds(double blur_px) : blur_px_(blur_px) {}
 
   /// Short chains are compared with the longer ones of their line.
-  void settle(std::vector<PaintBar>& bars, std::span<const BarChain> chains, const ParallelLines& lines);
+  void settle(std::vector<RoadBar>& bars, std::span<const BarChain> chains, const ParallelLines& lines);
 
  private:
   struct LinePaint {
@@ -31,10 +31,10 @@ class PaintEnds {
   double blur_px_;
   std::vector<LinePaint> long_chains_;  ///< of lines, by line and paint
 
-  void learn(const std::vector<PaintBar>& bars, std::span<const BarChain> chains, const ParallelLines& lines);
-  [[nodiscard]] double full_paint(const std::vector<PaintBar>& bars, const BarChain& chain,
+  void learn(const std::vector<RoadBar>& bars, std::span<const BarChain> chains, const ParallelLines& lines);
+  [[nodiscard]] double full_paint(const std::vector<RoadBar>& bars, const BarChain& chain,
                                   const ParallelLines& lines) const;
-  void settle_bar(PaintBar& bar, double full, double direction, bool is_long) const;
+  void settle_bar(RoadBar& bar, double full, double direction, bool is_long) const;
 };
 
 }  // namespace lanefuse

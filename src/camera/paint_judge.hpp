@@ -18,6 +18,12 @@ struct PaintJudgeConfig {
   double heading_gate = 0.02;        ///< [rad] to the line's direction, beside the bar's own sigma
   double line_length_min = 2.5;      ///< [m] of paint that make a line
   double far = 60;                   ///< [m] from here on a line must be known from elsewhere, too
+  double brightness_min = 0.15;      ///< against the road, of that of the image's other paint
+  int far_count = 5;                 ///< bars of a far chain that is believed by itself
+  double near = 45;                  ///< [m] up to here dashes are long enough to be believed by themselves
+  double near_lateral = 8;           ///< [m] to either side, of such dashes
+  double near_length = 2;            ///< [m] of such dashes
+  double near_heading_gate = 0.06;   ///< [rad] of such dashes to the road
   double sure_length = 8;  ///< [m] of chain that is believed though it runs by itself, as at an exit
   int sure_count = 8;      ///< bars of such a chain
 };
@@ -30,14 +36,14 @@ class PaintJudge {
 
   /// Finds the lines that the chains make. `stretch_sigma` [1/m]: the pose's pitch sigma over the camera's
   /// height.
-  void find_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
+  void find_lines(const std::vector<RoadBar>& bars, std::span<const BarChain> chains, double stretch_sigma);
 
   /// Marks bars as believed. A far bar without a chain takes its heading from its line.
-  void judge(std::vector<PaintBar>& bars, std::span<const BarChain> chains);
+  void judge(std::vector<RoadBar>& bars, std::span<const BarChain> chains);
 
   [[nodiscard]] const ParallelLines& lines() const { return lines_; }
   /// Solid or dashed, as far as the believed chains of the line through a bar tell.
-  [[nodiscard]] MarkingType type_of(const PaintBar& bar) const;
+  [[nodiscard]] MarkingType type_of(const RoadBar& bar) const;
 
  private:
   struct LineShape {
@@ -51,13 +57,17 @@ class PaintJudge {
   ParallelLines lines_;
   std::vector<LinePiece> pieces_;
   std::vector<LineShape> shapes_;
+  std::vector<double> brightness_;  ///< of bars in chains, against the road
+  double usual_brightness_ = 0;
 
-  void cut_into_pieces(const std::vector<PaintBar>& bars, const BarChain& chain);
-  [[nodiscard]] bool stands_upright(const std::vector<PaintBar>& bars, const BarChain& chain) const;
-  [[nodiscard]] bool runs_alone(const std::vector<PaintBar>& bars, const BarChain& chain) const;
-  [[nodiscard]] bool fits_a_line(const PaintBar& bar, const BarChain& chain) const;
-  void judge_chain(std::vector<PaintBar>& bars, const BarChain& chain);
-  void measure_lines(const std::vector<PaintBar>& bars, std::span<const BarChain> chains);
+  void cut_into_pieces(const std::vector<RoadBar>& bars, const BarChain& chain);
+  [[nodiscard]] bool stands_upright(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  void measure_brightness(const std::vector<RoadBar>& bars, std::span<const BarChain> chains);
+  [[nodiscard]] bool is_dull(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  [[nodiscard]] bool runs_alone(const std::vector<RoadBar>& bars, const BarChain& chain) const;
+  [[nodiscard]] bool fits_a_line(const RoadBar& bar, const BarChain& chain) const;
+  void judge_chain(std::vector<RoadBar>& bars, const BarChain& chain);
+  void measure_lines(const std::vector<RoadBar>& bars, std::span<const BarChain> chains);
 };
 
 }  // namespace lanefuse

@@ -17,11 +17,10 @@ namespace {
 
 constexpr int kImageColumns = 640;  ///< [px] that images are reduced to
 constexpr double kLeastShadow = 0.4;
-constexpr double kLeastScore = 0.35;      ///< of a box on the grid
-constexpr double kRefinedScore = 0.5;     ///< of a box whose edges have been refined
-constexpr double kSimilar = 0.5;          ///< overlap of two boxes on the grid that show the same
-constexpr double kMostOverlap = 0.15;     ///< of two boxes in one image
-constexpr double kReviewedPitch = 0.002;  ///< [rad] of a change that makes the shapes wrong
+constexpr double kLeastScore = 0.3;   ///< of a box on the grid
+constexpr double kRefinedScore = 0.42;  ///< of a box whose edges have been refined
+constexpr double kSimilar = 0.5;       ///< overlap of two boxes on the grid that show the same
+constexpr double kMostOverlap = 0.15;  ///< of two boxes in one image
 
 /// The best ones, none overlapping a better one more than `most`.
 std::vector<FoundVehicle> without_overlap(std::vector<FoundVehicle> all, double most) {
@@ -54,7 +53,7 @@ class VehicleDetector::State {
     NumberImage texture = road_texture(brightness);
     const VehicleCues cues(brightness, residual(input, texture));
     const bool first = before_.values.empty();
-    tracks_.update(found(cues), first ? 0 : input.seconds);
+    tracks_.update(found(cues, row_shift(input.pose)), first ? 0 : input.seconds);
     before_ = std::move(texture);
     report();
     return boxes_;
@@ -80,8 +79,9 @@ class VehicleDetector::State {
 
   void begin(const CameraPose& pose);
   [[nodiscard]] bool shapes_fit(const CameraPose& pose) const;
+  [[nodiscard]] double row_shift(const CameraPose& pose) const;
   [[nodiscard]] NumberImage residual(const Input& input, const NumberImage& texture) const;
-  [[nodiscard]] std::vector<FoundVehicle> found(const VehicleCues& cues) const;
+  [[nodiscard]] std::vector<FoundVehicle> found(const VehicleCues& cues, double row_shift) const;
   void report();
 };
 
@@ -105,9 +105,22 @@ bool VehicleDetector::State::shapes_fit(const CameraPose& pose) const {
   if (shapes_.empty()) return false;
   const Mounting& a = pose.mounting;
   const Mounting& b = shapes_pose_.mounting;
+  constexpr double kAngle = 0.005;  // [rad]
+  constexpr double kPitch = 0.02;   // [rad] moves all rows alike: row_shift()
   constexpr double kHeight = 0.03;  // [m]
-  return std::abs(a.pitch - b.pitch) < kReviewedPitch && std::abs(a.roll - b.roll) < 2 * kReviewedPitch &&
-         std::abs(a.yaw - b.yaw) < 2 * kReviewedPitch && std::abs(a.z - b.z) < kHeight;
+  return std::abs(a.pitch - b.pitch) < kPitch && std::abs(a.roll - b.roll) < kAngle &&
+         std::abs(a.yaw - b.yaw) < kAngle && std::abs(a.z - b.z) < kHeight;
+}
+
+/// By how many rows of the reduced image the road of this pose lies below that of the shapes' pose.
+double VehicleDetector::State::row_shift(const CameraPose& pose) const {
+  constexpr double kAhead = 20;  // [m]
+  const auto row = [&](const CameraPose& at) {
+    return GroundProjection(camera_, at).pixel({at.mounting.x + kAhead, at.mounting.y});
+  };
+  const auto now = row(pose);
+  const auto then = row(shapes_pose_);
+  return now && then ? (now->y() - then->y()) / reduction_.factor : 0;
 }
 
 /// How much each pixel differs from what the road's motion makes of the image before; nothing above the road.
@@ -120,9 +133,11 @@ NumberImage VehicleDetector::State::residual(const Input& input, const NumberIma
 }
 
 /// The boxes that score best, none much overlapping a better one.
-std::vector<FoundVehicle> VehicleDetector::State::found(const VehicleCues& cues) const {
+std::vector<FoundVehicle> VehicleDetector::State::found(const VehicleCues& cues, double row_shift) const {
   std::vector<FoundVehicle> all;
-  for (const VehicleShape& shape : shapes_) {
+  for (VehicleShape shape : shapes_) {
+    shape.box.top = std::max(0.0, shape.box.top + row_shift);
+    shape.box.bottom += row_shift;
     if (cues.shadow(shape) < kLeastShadow) continue;
     const double score = cues.evidence(shape).score();
     if (score >= kLeastScore) all.push_back({shape, score});

@@ -15,7 +15,9 @@ namespace {
 constexpr double kLength = 4.6;       ///< [m] of a car
 constexpr double kHeight = 1.45;      ///< [m]
 constexpr double kLeastVisible = 7;   ///< [px] of the reduced image
+constexpr double kLeastAspect = 0.3;  ///< of what is left of a cut box: width over height
 constexpr double kLongStep = 1.045;   ///< from one distance to the next
+constexpr double kCar = 0.33;         ///< of the way from the narrowest vehicle to the widest
 constexpr double kLateralStep = 0.3;  ///< [m]
 
 /// Grows a box by the pixels of points over one place of the road.
@@ -70,7 +72,8 @@ std::optional<VehicleShape> shape_at(const GroundProjection& projection, const R
   shape.box.right = std::min(shape.box.right, static_cast<double>(reduction.width));
   shape.box.top = std::max(shape.box.top, 0.0);
   shape.box.bottom = std::min(shape.box.bottom, static_cast<double>(reduction.height));
-  if (shape.box.width() < kLeastVisible || shape.box.height() < kLeastVisible) return {};
+  const bool sliver = shape.box.width() < kLeastAspect * shape.box.height();
+  if (sliver || shape.box.width() < kLeastVisible || shape.box.height() < kLeastVisible) return {};
   return shape;
 }
 
@@ -87,19 +90,15 @@ double overlap(const PixelBox& a, const PixelBox& b) {
 std::vector<VehicleShape> vehicle_shapes(const CameraModel& camera, const CameraPose& pose,
                                          const Reduction& reduction, const VehicleDetectorConfig& config) {
   const GroundProjection projection(camera, pose);
-  const double car = config.narrowest + 0.3 * (config.widest - config.narrowest);
-  const double lorry = config.widest - 0.2;
   std::vector<VehicleShape> shapes;
   for (double x = config.nearest; x <= config.farthest; x *= kLongStep) {
     const auto sides = static_cast<int>(config.widest_view / kLateralStep);
     for (int i = -sides; i <= sides; ++i) {
-      for (const double width : {car, lorry}) {
-        VehicleShape shape;
-        shape.distance = pose.mounting.x + x;
-        shape.lateral = i * kLateralStep;
-        shape.width = width;
-        if (const auto seen = shape_at(projection, reduction, shape)) shapes.push_back(*seen);
-      }
+      VehicleShape shape;
+      shape.distance = pose.mounting.x + x;
+      shape.lateral = i * kLateralStep;
+      shape.width = config.narrowest + kCar * (config.widest - config.narrowest);
+      if (const auto seen = shape_at(projection, reduction, shape)) shapes.push_back(*seen);
     }
   }
   return shapes;

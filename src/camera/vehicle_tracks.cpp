@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeastOverlap = 0.3;  ///< of a track and its box
 constexpr double kGain = 0.35;         ///< of places
 constexpr double kSpeedGain = 0.06;    ///< of their changes
-constexpr double kNewScore = 0.6;      ///< what founds a track; less goes on with one
+constexpr double kNewScore = 0.58;     ///< what founds a track; less goes on with one
 
 void move(PixelBox& box, const PixelBox& by, double times) {
   box.left += times * by.left;

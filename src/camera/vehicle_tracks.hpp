@@ -32,9 +32,12 @@ class VehicleTracks {
   void clear() { tracks_.clear(); }
 
   [[nodiscard]] const std::vector<Track>& all() const { return tracks_; }
-  [[nodiscard]] bool confirmed(const Track& track) const { return track.hits >= config_.frames_to_confirm; }
+  [[nodiscard]] bool confirmed(const Track& track) const {
+    return track.hits >= config_.frames_to_confirm && track.score > kBelieved;
+  }
 
  private:
+  static constexpr double kBelieved = 0.5;  ///< score, on average
   VehicleDetectorConfig config_;
   std::vector<Track> tracks_;
 

@@ -6,7 +6,6 @@
 
 #include "cli/command_line.hpp"
 #include "cli/graph_command.hpp"
-#include "cli/import_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/strip_command.hpp"
@@ -21,18 +20,6 @@ constexpr const char* kDescription =
     "  lanefuse simulate --seed 1 --km 2 -o drive.mcap\n"
     "  lanefuse run drive.mcap -o lanes.mcap\n"
     "  lanefuse evaluate lanes.mcap --truth exact";
-
-void add_import(CommandLine& line) {
-  auto& options = line.make<ImportOptions>();
-  CLI::App& import = *line.app.add_subcommand("import", "turn a public data set's drive into a recording");
-  demand_subcommand(import);
-  CLI::App& command =
-      *import.add_subcommand("comma2k19", "one minute of comma2k19: radar, speed, gyro; poses as truth");
-  command.add_option("directory", options.directory, "a segment, or a folder that holds exactly one")
-      ->required();
-  command.add_option("-o,--output", options.output, "the recording to write (.mcap)")->required();
-  finish(command, line, options, import_comma2k19_drive);
-}
 
 void add_run(CommandLine& line) {
   auto& options = line.make<RunOptions>();

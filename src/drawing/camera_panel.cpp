@@ -84,13 +84,32 @@ void draw_ego_lane(Canvas& canvas, const PanelView& view, const LaneEstimate& es
 void draw_distances(Canvas& canvas, const PanelView& view, const LaneEstimate& estimate) {
   const std::optional<EgoBoundaries> ego = ego_boundaries(estimate);
   if (!ego) return;
+  double last_label = std::numeric_limits<double>::infinity();  // [px] row
   for (const double x : {10.0, 20.0, 50.0, 100.0}) {
     if (x < ego->from || x > ego->to) continue;
     const Pixel left = view.on_road(x, ego->left->clothoid.y(x));
     const Pixel right = view.on_road(x, ego->right->clothoid.y(x));
     canvas.line(left, right, {kBoundary, 1});
+    if (!(left.y() < last_label - 10)) continue;  // no room
     canvas.text(left - Pixel(8, -3), fmt::format("{:.0f} m", x), kText, 8, Anchor::end);
+    last_label = left.y();
   }
+}
+
+/// A line on the road in steps so short that the lens bends none of them.
+void draw_line(Canvas& canvas, const PanelView& view, const std::vector<Eigen::Vector2d>& line,
+               const Pen& pen) {
+  constexpr double kStep = 1;  // [m]
+  std::vector<Pixel> pixels;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector2d way = line[i] - line[i - 1];
+    const int steps = std::clamp(static_cast<int>(way.norm() / kStep), 1, 1000);
+    for (int s = 0; s < steps; ++s) {
+      const Eigen::Vector2d point = line[i - 1] + way * s / steps;
+      if (point.x() < kTruthReach) pixels.push_back(view.on_road(point.x(), point.y()));
+    }
+  }
+  canvas.polyline(pixels, pen);
 }
 
 void draw_boundaries(Canvas& canvas, const PanelView& view, const TopView& road) {
@@ -98,15 +117,9 @@ void draw_boundaries(Canvas& canvas, const PanelView& view, const TopView& road)
     canvas.polyline(view.curve(boundary.clothoid, boundary.range_begin, boundary.range_end),
                     {kBoundary, 2, 0, true});
   }
-  const auto draw_truth = [&](const std::vector<Eigen::Vector2d>& line) {
-    std::vector<Pixel> pixels;
-    for (const Eigen::Vector2d& point : line) {
-      if (point.x() < kTruthReach) pixels.push_back(view.on_road(point.x(), point.y()));
-    }
-    canvas.polyline(pixels, {kTruth, 2, 9});
-  };
-  for (const auto& line : road.true_boundaries) draw_truth(line);
-  draw_truth(road.driven_path);
+  const Pen truth{kTruth, 2, 9};
+  for (const auto& line : road.true_boundaries) draw_line(canvas, view, line, truth);
+  draw_line(canvas, view, road.driven_path, truth);
 }
 
 void draw_bars(Canvas& canvas, const PanelView& view, const CameraView& seen) {
@@ -117,7 +130,7 @@ void draw_bars(Canvas& canvas, const PanelView& view, const CameraView& seen) {
 }
 
 void draw_windows(Canvas& canvas, const PanelView& view, const CameraView& seen) {
-  constexpr double kEnd = 4;  // [px] of the strokes at the ends, to each side
+  constexpr double kEnd = 3;  // [px] of the strokes at the ends, to each side
   for (const SearchWindow& window : seen.windows) {
     const Pixel left = view.at(window.left, window.row);
     const Pixel right = view.at(window.right, window.row);
@@ -133,7 +146,8 @@ void draw_vehicles(Canvas& canvas, const PanelView& view, const CameraView& seen
     const Pixel corner = view.at(vehicle.left, vehicle.top);
     const Pixel size = view.at(vehicle.right, vehicle.bottom) - corner;
     canvas.rectangle({corner.x(), corner.y(), size.x(), size.y()}, {kVehicle, 2, 0, true});
-    canvas.text(corner - Pixel(-1, 5), fmt::format("{:.0f} m", vehicle.distance), kVehicle, 9);
+    const std::string words = fmt::format("{:.0f} m", vehicle.distance);
+    if (size.x() > Canvas::text_width(words, 9)) canvas.text(corner - Pixel(-1, 5), words, kVehicle, 9);
   }
 }
 

@@ -58,6 +58,7 @@ void draw_grid(Canvas& canvas, const RoadAxes& axes, const OverlayConfig& config
   for (double y = -widest; y <= widest; y += 5) {
     const double v = axes.at(0, y).y();
     canvas.line({frame.left, v}, {frame.right(), v}, {kGrid, 1});
+    if (std::abs(y) > config.half_width - 2) continue;  // the words' place
     canvas.text({frame.left - 6, v + 4}, fmt::format("{:.0f}", y), kMuted, 9, Anchor::end);
   }
   canvas.text({frame.left - 6, frame.top + 9}, "left", kMuted, 8, Anchor::end);

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <opencv2/videoio.hpp>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 
 namespace lanefuse {
@@ -22,8 +24,7 @@ const Codec kCodecs[] = {{"H.264", cv::VideoWriter::fourcc('a', 'v', 'c', '1')},
 
 std::filesystem::path part_of(const std::filesystem::path& path) {
   // The container is chosen by the ending.
-  std::filesystem::path part = path;
-  return part.replace_filename(fmt::format(".{}.part.mp4", path.stem().string()));
+  return path.parent_path() / fmt::format(".{}.part.mp4", path.stem().string());
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ CameraChip::CameraChip(const Setup& setup) : setup_(setup) {
   beside_ = static_cast<float>(shoulder / (1 + 2 * shoulder));
   Random random(setup.seed, "noise of a chip");
   const double sigma = setup.noise ? setup.light.noise : 0;
-  noise_.resize(kNoiseCount);
+  noise_.resize(kNoiseCount + static_cast<std::size_t>(setup.camera.width));
   for (Colour& noise : noise_) {
     for (int i = 0; i < 3; ++i) noise[i] = static_cast<float>(random.normal(sigma));
     noise[3] = 0;
@@ -46,8 +46,7 @@ void CameraChip::expose(const Rows& rows, int v, std::uint64_t noise_key, std::u
   const auto half_width = static_cast<float>(camera.width / 2.0);
   const auto dv = static_cast<float>((v - camera.height / 2.0) / corner);
   const std::uint64_t key = mixed(noise_key + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(v + 1));
-  std::size_t at = key % kNoiseCount;
-  const std::size_t step = 2 * (key >> 40 & 0xff) + 1;
+  const Colour* const noise = &noise_[key % kNoiseCount];
   const auto column = [&](int i) {
     return Colour(middle * rows.here[i] + beside_ * (rows.above[i] + rows.below[i]));
   };
@@ -60,11 +59,9 @@ void CameraChip::expose(const Rows& rows, int v, std::uint64_t noise_key, std::u
     centre = right;
     const float du = (static_cast<float>(u) - half_width) * per_corner;
     const float kept = setup_.light.exposure * (1 - lost * (du * du + dv * dv));
-    Colour root = ((light + glare) * kept).max(0.0F).sqrt() + noise_[at];
-    root = (root.max(0.0F).min(1.0F)) * static_cast<float>(kTones) + 0.5F;
-    for (int i = 0; i < 3; ++i)
-      bytes[3 * u + i] = tones_[static_cast<std::size_t>(static_cast<int>(root[i]))];
-    at = (at + step) % kNoiseCount;
+    const Colour root = ((light + glare) * kept).max(0.0F).sqrt() + noise[u];
+    const Eigen::Array4i tone = (root.max(0.0F).min(1.0F) * static_cast<float>(kTones) + 0.5F).cast<int>();
+    for (int i = 0; i < 3; ++i) bytes[3 * u + i] = tones_[static_cast<std::size_t>(tone[i])];
   }
 }
 

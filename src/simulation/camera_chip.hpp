@@ -42,8 +42,8 @@ class CameraChip {
   static constexpr int kNoiseCount = 1 << 13;
 
   Setup setup_;
-  float beside_;  ///< weight of either neighbour in the blur
-  std::vector<Colour> noise_;
+  float beside_;               ///< weight of either neighbour in the blur
+  std::vector<Colour> noise_;  ///< rows begin anywhere in its first kNoiseCount
   std::array<std::uint8_t, kTones + 1> tones_{};
 };
 

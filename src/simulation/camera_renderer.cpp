@@ -39,6 +39,7 @@ void render_rows(const ImageScene& scene, const CameraChip& chip, std::pair<int,
 
 CameraRenderer::CameraRenderer(const CameraIntrinsics& camera, const RenderConfig& config)
     : camera_(camera),
+      ends_(camera_),
       config_(config),
       light_(image_light(config.conditions)),
       textures_(std::make_shared<const SurfaceTextures>(config.seed)),
@@ -47,10 +48,10 @@ CameraRenderer::CameraRenderer(const CameraIntrinsics& camera, const RenderConfi
 Image CameraRenderer::render(const Scene& scene, const Mounting& mounting) const {
   const CameraIntrinsics& camera = camera_.intrinsics();
   Image image(camera.width, camera.height, 3);
-  const ImageScene prepared({scene, camera_, mounting}, config_, light_, *textures_);
+  const ImageScene prepared({scene, camera_, ends_, mounting}, config_, light_, *textures_);
   // The rows near the horizon cost most, so every thread takes many small bands, in turn.
   const int threads = std::max(1, config_.threads);
-  constexpr int kBand = 32;
+  constexpr int kBand = 64;
   const auto work = [&](int thread) {
     for (int first = thread * kBand; first < camera.height; first += threads * kBand) {
       render_rows(prepared, chip_, {first, std::min(first + kBand, camera.height)}, image);

@@ -9,6 +9,7 @@
 #include "camera/image.hpp"
 #include "sensors/camera_view.hpp"
 #include "simulation/camera_chip.hpp"
+#include "simulation/ground_rays.hpp"
 #include "simulation/image_conditions.hpp"
 #include "simulation/road_surface.hpp"
 #include "simulation/scene.hpp"
@@ -43,6 +44,7 @@ class CameraRenderer {
 
  private:
   CameraModel camera_;
+  SegmentEnds ends_;
   RenderConfig config_;
   ImageLight light_;
   std::shared_ptr<const SurfaceTextures> textures_;

@@ -16,12 +16,20 @@ Eigen::Matrix3d vehicle_from_camera(const Mounting& mounting) {
       .toRotationMatrix();
 }
 
+SegmentEnds::SegmentEnds(const CameraModel& camera)
+    : count_((camera.intrinsics().width + kSegment - 1) / kSegment + 1) {
+  for (int v = 0; v <= camera.intrinsics().height; ++v) {
+    for (int i = 0; i < count_; ++i) {
+      directions_.push_back(camera.direction({static_cast<double>(i * kSegment), v - 0.5}));
+    }
+  }
+}
+
 GroundRays::GroundRays(const CameraModel& camera, const Mounting& mounting, const RoadAhead& road)
     : camera_(&camera),
       mounting_(mounting),
       road_(&road),
-      vehicle_from_camera_(vehicle_from_camera(mounting)),
-      node_count_((camera.intrinsics().width + kSegment - 1) / kSegment + 1) {
+      vehicle_from_camera_(vehicle_from_camera(mounting)) {
   double slope = -1e9;
   for (double x = 1; x <= kGroundEnd; ++x) {
     slope = std::max(slope, (road.height(mounting.x + x) - mounting.z) / x);
@@ -37,13 +45,17 @@ double GroundRays::first_guess(double slope) const {
   return metre + 0.5;
 }
 
-Eigen::Vector3d GroundRays::ray(const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector2d direction = camera_->direction(pixel);
+Eigen::Vector3d GroundRays::ray_of(const Eigen::Vector2d& direction) const {
   return vehicle_from_camera_ * Eigen::Vector3d(1, -direction.x(), -direction.y());
 }
 
-GroundHit GroundRays::cast(const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector3d ray = this->ray(pixel);
+Eigen::Vector3d GroundRays::ray(const Eigen::Vector2d& pixel) const {
+  return ray_of(camera_->direction(pixel));
+}
+
+GroundHit GroundRays::cast(const Eigen::Vector2d& pixel) const { return cast_ray(ray(pixel)); }
+
+GroundHit GroundRays::cast_ray(const Eigen::Vector3d& ray) const {
   const double slope = ray.z() / ray.x();
   const double aside = ray.y() / ray.x();
   double x = first_guess(slope);
@@ -63,11 +75,10 @@ GroundHit GroundRays::cast(const Eigen::Vector2d& pixel) const {
   return {mounting_.x + x, mounting_.y + x * aside, place.way, place.lateral, !beyond && x <= kGroundEnd};
 }
 
-void GroundRays::cast(double row, std::vector<GroundHit>& hits) const {
-  hits.resize(static_cast<std::size_t>(node_count_));
-  for (int node = 0; node < node_count_; ++node) {
-    hits[static_cast<std::size_t>(node)] = cast({static_cast<double>(node * kSegment), row});
-  }
+void GroundRays::cast_upper_edge(const SegmentEnds& ends, int v, std::vector<GroundHit>& hits) const {
+  const Eigen::Vector2d* const directions = ends.on_upper_edge(v);
+  hits.resize(static_cast<std::size_t>(ends.count()));
+  for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = cast_ray(ray_of(directions[i]));
 }
 
 }  // namespace lanefuse

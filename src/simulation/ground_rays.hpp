@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,21 +22,37 @@ struct GroundHit {
   bool ground = false;  ///< else the ray passes over the ground's end, and this is the place below it there
 };
 
+/// The directions of a camera's rays at the ends of all rows' segments: they are the same in every image.
+class SegmentEnds {
+ public:
+  static constexpr int kSegment = 32;  ///< [px] from one end to the next
+
+  explicit SegmentEnds(const CameraModel& camera);
+
+  /// Ends on a row's edge: in the columns 0, kSegment ... and one beyond the image's right border.
+  [[nodiscard]] int count() const { return count_; }
+  /// Directions on the upper edge of row `v`; that of the row below the last one is the image's lower edge.
+  [[nodiscard]] const Eigen::Vector2d* on_upper_edge(int v) const {
+    return &directions_[static_cast<std::size_t>(v) * static_cast<std::size_t>(count_)];
+  }
+
+ private:
+  int count_;
+  std::vector<Eigen::Vector2d> directions_;
+};
+
 /// Casts the rays of one image onto the road with its ups and downs; beside the road the ground is as high as
 /// the road. Rows are cut into segments of kSegment pixels, at whose ends rays are exact.
 class GroundRays {
  public:
-  static constexpr int kSegment = 32;        ///< [px]
+  static constexpr int kSegment = SegmentEnds::kSegment;
   static constexpr double kGroundEnd = 400;  ///< [m] ahead; what is beyond belongs to the backdrop
 
   /// All of them must outlive it.
   GroundRays(const CameraModel& camera, const Mounting& mounting, const RoadAhead& road);
 
-  /// Columns of the segments' ends: 0, kSegment ... beyond the image's right border, from the middle of the
-  /// first pixel.
-  [[nodiscard]] int node_count() const { return node_count_; }
-  /// Hits at height `row` [px] of the image, one a node.
-  void cast(double row, std::vector<GroundHit>& hits) const;
+  /// Hits at the ends of segments on the upper edge of row `v`.
+  void cast_upper_edge(const SegmentEnds& ends, int v, std::vector<GroundHit>& hits) const;
   [[nodiscard]] GroundHit cast(const Eigen::Vector2d& pixel) const;
 
   /// Direction of a pixel in the vehicle frame.
@@ -47,11 +64,12 @@ class GroundRays {
   Mounting mounting_;
   const RoadAhead* road_;
   Eigen::Matrix3d vehicle_from_camera_;
-  int node_count_;
   /// By the metre from the camera on: the steepest slope at which a ray passes over all the road up to there.
   std::vector<double> passing_slope_;
 
   [[nodiscard]] double first_guess(double slope) const;
+  [[nodiscard]] Eigen::Vector3d ray_of(const Eigen::Vector2d& direction) const;
+  [[nodiscard]] GroundHit cast_ray(const Eigen::Vector3d& ray) const;
 };
 
 Eigen::Matrix3d vehicle_from_camera(const Mounting& mounting);

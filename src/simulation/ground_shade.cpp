@@ -91,7 +91,7 @@ void GroundShade::lay(const RoadPlace& from, const RoadPlace& to, const Footprin
   const float side = static_cast<float>(low.side != 0 ? low.side : high.side);
   for (int i = 0; i < count; ++i) {
     const auto towards = side * static_cast<float>((from.lateral + i * lateral_step) / 8);
-    const float leaf = std::clamp(1.6F * (leaves[static_cast<std::size_t>(i)] + towards - 0.3F), 0.0F, 1.0F);
+    const float leaf = std::clamp(3 * (leaves[static_cast<std::size_t>(i)] + towards - 0.3F), 0.0F, 1.0F);
     const float shade = std::max(bridge, trees * leaf);
     albedo[i] *= 1 - shade * (1 - kept_);
   }

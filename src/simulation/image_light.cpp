@@ -45,7 +45,7 @@ ImageLight wet_day() {
   light.mirror = 0.55F;
   light.glare = 0.02F;
   light.exposure = 0.85F;
-  light.noise = 0.006F;
+  light.noise = 0.008F;
   return light;
 }
 

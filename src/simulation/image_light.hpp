@@ -27,7 +27,7 @@ struct ImageLight {
   float mirror = 0;             ///< share of the sky that the road mirrors at a grazing view
   float glare = 0;              ///< light scattered in the windscreen
   float exposure = 1;
-  float noise = 0.004F;  ///< sigma of the chip, in the root of its range
+  float noise = 0.006F;  ///< sigma of the chip, in the root of its range
   bool headlights = false;
 };
 

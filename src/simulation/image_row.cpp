@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/pose2.hpp"
 #include "simulation/bridges.hpp"
 #include "simulation/image_air.hpp"
 #include "simulation/roadside.hpp"
@@ -62,8 +63,10 @@ std::vector<Face> upright_faces(const ImageScene::View& view, const RoadAhead& r
 ImageScene::ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
                        const SurfaceTextures& textures)
     : time_(view.scene.time),
+      ends_(&view.ends),
       width_(view.camera.intrinsics().width),
       light_(seen_through(light, view.scene.visibility)),
+      sun_bearing_(light.sun_azimuth - view.scene.ego.world_from_vehicle.heading),
       road_(view.scene, kBehind, GroundRays::kGroundEnd + 60),
       rays_(view.camera, view.mounting, road_),
       surface_(view.scene, road_, textures, light.asphalt, config.texture),
@@ -81,10 +84,22 @@ void ImageRowPainter::cast(int v) {
   if (near_row_ == v - 1) {
     far_.swap(near_);
   } else {
-    scene_->rays_.cast(v - 0.5, far_);
+    scene_->rays_.cast_upper_edge(*scene_->ends_, v, far_);
   }
-  scene_->rays_.cast(v + 0.5, near_);
+  scene_->rays_.cast_upper_edge(*scene_->ends_, v + 1, near_);
   near_row_ = v;
+}
+
+/// Share of the sky's light that the road throws to the camera: more at a grazing view, and most towards a
+/// sun that shines.
+float ImageRowPainter::mirrored(const GroundHit& hit) const {
+  const ImageLight& light = scene_->light_;
+  if (light.mirror <= 0) return 0;
+  const double grazing = std::exp(-18.0 / std::max(distance_of(hit), 1.0));
+  const double from_sun = wrap_angle(scene_->sun_bearing_ - std::atan2(hit.y, hit.x));
+  const bool sunny = light.sun.head<3>().maxCoeff() > 0;
+  const double towards_sun = sunny ? 2 * std::exp(-from_sun * from_sun / 0.02) : 0;
+  return std::min(1.0F, light.mirror * static_cast<float>(grazing * (1 + towards_sun)));
 }
 
 /// Light on the road, what it mirrors, and the air before it: exact at the segment's ends.
@@ -98,10 +113,9 @@ void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixe
     const GroundHit& hit = near_[i];
     const double distance = distance_of(hit);
     const float kept = air_transmission(distance, light);
-    const auto grazing = static_cast<float>(std::exp(-18.0 / std::max(distance, 1.0)));
-    const float mirrored = light.mirror * grazing;
-    return End{light_on_road(hit.x, hit.y, light) * (kept * (1 - 0.6F * mirrored)),
-               light.horizon * (kept * 0.55F * mirrored + 1 - kept)};
+    const float sky = mirrored(hit);
+    return End{light_on_road(hit.x, hit.y, light) * (kept * (1 - 0.6F * sky)),
+               light.horizon * (kept * 0.55F * sky + 1 - kept)};
   };
   const End left = end_at(static_cast<std::size_t>(node));
   const End right = end_at(static_cast<std::size_t>(node) + 1);

@@ -22,6 +22,7 @@ class ImageScene {
   struct View {
     const Scene& scene;
     const CameraModel& camera;
+    const SegmentEnds& ends;
     const Mounting& mounting;
   };
   ImageScene(const View& view, const RenderConfig& config, const ImageLight& light,
@@ -32,8 +33,10 @@ class ImageScene {
  private:
   friend class ImageRowPainter;
   Time time_;
+  const SegmentEnds* ends_;
   int width_;
   ImageLight light_;
+  double sun_bearing_;  ///< [rad] in the vehicle frame
   RoadAhead road_;
   GroundRays rays_;
   RoadSurface surface_;
@@ -65,6 +68,7 @@ class ImageRowPainter {
   [[nodiscard]] RoadPlace place(std::size_t node) const;
   [[nodiscard]] Footprint footprint(std::size_t node) const;
   void paint_ground(Colour* pixels);
+  [[nodiscard]] float mirrored(const GroundHit& hit) const;
   void light_segment(int node, const Colour* albedo, Colour* pixels) const;
 };
 

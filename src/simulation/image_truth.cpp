@@ -57,8 +57,10 @@ double uncovered(const VehicleBox& box, std::span<const VehicleBox> others) {
   constexpr int kGrid = 16;
   int free = 0;
   for (int i = 0; i < kGrid * kGrid; ++i) {
-    const double u = box.left + (i % kGrid + 0.5) / kGrid * (box.right - box.left);
-    const double v = box.top + (i / kGrid + 0.5) / kGrid * (box.bottom - box.top);
+    const int column = i % kGrid;
+    const int line = i / kGrid;
+    const double u = box.left + (column + 0.5) / kGrid * (box.right - box.left);
+    const double v = box.top + (line + 0.5) / kGrid * (box.bottom - box.top);
     const bool covered = std::any_of(others.begin(), others.end(), [&](const VehicleBox& other) {
       return other.left < u && u < other.right && other.top < v && v < other.bottom;
     });
@@ -184,34 +186,48 @@ bool ImageTruth::behind_a_rail(const Eigen::Vector3d& point, double station) con
   return false;
 }
 
-std::vector<VehicleBox> ImageTruth::vehicles() const {
-  std::vector<VehicleBox> boxes;
+/// Around all corners that are before the camera; nothing where none is.
+std::optional<VehicleBox> ImageTruth::box_of(const SceneVehicle& vehicle) const {
   const double right = camera_->intrinsics().width - 0.5;
   const double bottom = camera_->intrinsics().height - 0.5;
+  const VehicleBody body = body_of(vehicle);
+  const VehiclePlace place = place_of_vehicle(vehicle, *scene_);
+  const Eigen::Vector2d rear = place.ego_from_vehicle.position();
+  constexpr int kCorners = 8;
+  int before = 0;
+  VehicleBox box{right + 1, bottom + 1, -1, -1, rear.x(), rear.y(), body.width, 1};
+  for (int i = 0; i < kCorners; ++i) {
+    const Eigen::Vector2d own((i & 1) != 0 ? body.length : 0, ((i & 2) != 0 ? 0.5 : -0.5) * body.width);
+    const double height = place.ground + ((i & 4) != 0 ? body.height : 0);
+    const auto seen = flat_.pixel(place.ego_from_vehicle * own, height);
+    if (!seen) continue;
+    ++before;
+    box.left = std::min(box.left, seen->x());
+    box.right = std::max(box.right, seen->x());
+    box.top = std::min(box.top, seen->y());
+    box.bottom = std::max(box.bottom, seen->y());
+  }
+  if (before == 0) return {};
+  if (before < kCorners) {
+    // It reaches back past the camera, and so to the image's border.
+    if (rear.y() > 0) box.left = -0.5;
+    if (rear.y() <= 0) box.right = right;
+    box.bottom = bottom;
+  }
+  box.left = std::max(box.left, -0.5);
+  box.top = std::max(box.top, -0.5);
+  box.right = std::min(box.right, right);
+  box.bottom = std::min(box.bottom, bottom);
+  if (box.left >= box.right || box.top >= box.bottom) return {};
+  return box;
+}
+
+std::vector<VehicleBox> ImageTruth::vehicles() const {
+  std::vector<VehicleBox> boxes;
+  constexpr double kFarthestBox = 250;  // [m]
   for (const SceneVehicle& vehicle : scene_->vehicles) {
-    const VehicleBody body = body_of(vehicle);
-    const VehiclePlace place = place_of_vehicle(vehicle, *scene_);
-    const Eigen::Vector2d rear = place.ego_from_vehicle.position();
-    constexpr double kFarthestBox = 250;  // [m]
-    if (rear.x() > kFarthestBox) continue;
-    VehicleBox box{right + 1, bottom + 1, -1, -1, rear.x(), rear.y(), body.width, 1};
-    int corners = 0;
-    for (int i = 0; i < 8; ++i) {
-      const Eigen::Vector2d own((i & 1) != 0 ? body.length : 0, ((i & 2) != 0 ? 0.5 : -0.5) * body.width);
-      const auto seen =
-          flat_.pixel(place.ego_from_vehicle * own, place.ground + ((i & 4) != 0 ? body.height : 0));
-      if (!seen) continue;
-      ++corners;
-      box.left = std::min(box.left, seen->x());
-      box.right = std::max(box.right, seen->x());
-      box.top = std::min(box.top, seen->y());
-      box.bottom = std::max(box.bottom, seen->y());
-    }
-    box.left = std::max(box.left, -0.5);
-    box.top = std::max(box.top, -0.5);
-    box.right = std::min(box.right, right);
-    box.bottom = std::min(box.bottom, bottom);
-    if (corners > 0 && box.left < box.right && box.top < box.bottom) boxes.push_back(box);
+    const auto box = box_of(vehicle);
+    if (box && box->distance < kFarthestBox) boxes.push_back(*box);
   }
   std::sort(boxes.begin(), boxes.end(),
             [](const VehicleBox& a, const VehicleBox& b) { return a.distance < b.distance; });

@@ -63,6 +63,7 @@ class ImageTruth {
   CameraPose pose_;
   GroundProjection flat_;  ///< without vertical curvature: heights come from the road
 
+  [[nodiscard]] std::optional<VehicleBox> box_of(const SceneVehicle& vehicle) const;
   [[nodiscard]] bool behind_a_vehicle(const Eigen::Vector3d& point) const;
   [[nodiscard]] bool behind_a_rail(const Eigen::Vector3d& point, double station) const;
 };

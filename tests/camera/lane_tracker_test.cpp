@@ -27,6 +27,7 @@ class Drive {
   int to_right = 1;
   double noise = 2;
   bool blind = false;
+  double turn = 0;  ///< [rad/s] on top of the road's
   std::vector<VehicleBox> vehicles;
   std::vector<PaintedLine> more;
 
@@ -41,7 +42,7 @@ class Drive {
       if (blind) lines.clear();
       const Image& image = painter_.paint(truth, lines, noise);
       time_ += kFrame;
-      tracker.track({image.view(), time_, assumed, kSpeed, kSpeed * lane.curvature, vehicles});
+      tracker.track({image.view(), time_, assumed, kSpeed, kSpeed * lane.curvature + turn, vehicles});
     }
     return tracker.last();
   }
@@ -64,7 +65,7 @@ void expect_lane(const LaneTrack& track, const Clothoid& middle, double toleranc
 TEST(LaneTracker, FindsTheLaneWhereItIs) {
   Drive drive;
   LaneTracker tracker(serial_camera());
-  EXPECT_EQ(drive.step(tracker).status, LaneTrackStatus::acquiring);
+  EXPECT_NE(drive.step(tracker).status, LaneTrackStatus::lost);
   const LaneTrack& track = drive.step(tracker, 9);
   EXPECT_EQ(track.status, LaneTrackStatus::tracking);
   expect_lane(track, drive.lane, 0.03);
@@ -114,11 +115,16 @@ TEST(LaneTracker, FollowsTheCarIntoTheNextLane) {
   Drive drive;
   LaneTracker tracker(serial_camera());
   drive.step(tracker, 10);
-  // 1.1 m/s to the left: the lane moves to the right.
-  drive.lane.heading = -1.1 / kSpeed;
+  // In 4 s one lane to the left: the lane moves to the right.
+  const Clothoid before = drive.lane;
+  constexpr int kImages = 100;
   int changes = 0;
-  for (int i = 0; i < 80; ++i) {
-    drive.lane.lateral_offset += drive.lane.heading * kSpeed * to_seconds(kFrame);
+  for (int i = 1; i <= kImages; ++i) {
+    const double phase = std::numbers::pi * i / kImages;
+    const double rate = std::numbers::pi / (kImages * to_seconds(kFrame));  // [1/s]
+    drive.lane.lateral_offset = before.lateral_offset - kLinePitch * (1 - std::cos(phase)) / 2;
+    drive.lane.heading = -kLinePitch * std::sin(phase) / 2 * rate / kSpeed;
+    drive.turn = kLinePitch * std::cos(phase) / 2 * rate * rate / kSpeed;
     const LaneTrack& track = drive.step(tracker);
     ASSERT_EQ(track.status, LaneTrackStatus::tracking) << "in image " << i;
     changes += track.lane_changed ? 1 : 0;
@@ -141,6 +147,18 @@ TEST(LaneTracker, LosesTheLaneInTheDarkAndFindsItAgain) {
   const LaneTrack& track = drive.step(tracker, 8);
   EXPECT_EQ(track.status, LaneTrackStatus::tracking);
   expect_lane(track, drive.lane, 0.05);
+}
+
+TEST(LaneTracker, FindsTheLaneAgainWhenTheCameraIsKnocked) {
+  Drive drive;
+  LaneTracker tracker(serial_camera());
+  drive.step(tracker, 10);
+  drive.truth.mounting.yaw += 1.2 * kDegree;
+  drive.truth.mounting.pitch += 1 * kDegree;
+  const LaneTrack& track = drive.step(tracker, 25);
+  ASSERT_EQ(track.status, LaneTrackStatus::tracking);
+  EXPECT_NEAR(track.pitch / kDegree, 1, 0.1);
+  EXPECT_NEAR(track.width, kInner, 0.05);
 }
 
 TEST(LaneTracker, HandsNothingOverWhereThereIsNoLane) {

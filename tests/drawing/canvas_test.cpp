@@ -40,7 +40,7 @@ TEST(Canvas, PaintsWhereItIsToldTo) {
 
 TEST(Canvas, DashesLeaveGapsAsLongAsThemselves) {
   Canvas canvas(200, 10, kBlack);
-  canvas.line({0, 5}, {200, 5}, {kInk, 1, 20});
+  canvas.line({0, 5}, {200, 5}, {kInk, 3, 20});
   EXPECT_EQ(at(canvas, 10, 5), kInk);
   EXPECT_EQ(at(canvas, 30, 5), kBlack);
   EXPECT_EQ(at(canvas, 50, 5), kInk);
@@ -48,7 +48,7 @@ TEST(Canvas, DashesLeaveGapsAsLongAsThemselves) {
   Canvas pieces(200, 10, kBlack);
   std::vector<Pixel> points;
   for (double u = 0; u <= 200; u += 3) points.emplace_back(u, 5);
-  pieces.polyline(points, {kInk, 1, 20});
+  pieces.polyline(points, {kInk, 3, 20});
   EXPECT_EQ(at(pieces, 10, 5), kInk);
   EXPECT_EQ(at(pieces, 30, 5), kBlack);
   EXPECT_EQ(at(pieces, 50, 5), kInk);
@@ -78,7 +78,7 @@ TEST(Canvas, APlaceThatIsNoneBreaksTheLine) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   Canvas canvas(100, 20, kBlack);
   canvas.polyline(std::array{Pixel(5, 10), Pixel(30, 10), Pixel(kNone, 10), Pixel(70, 10), Pixel(95, 10)},
-                  {kInk, 1});
+                  {kInk, 3});
   EXPECT_EQ(at(canvas, 20, 10), kInk);
   EXPECT_EQ(at(canvas, 50, 10), kBlack);
   EXPECT_EQ(at(canvas, 80, 10), kInk);

@@ -80,9 +80,9 @@ TEST(Overlay, ShowsWhatWasSeenInTheImage) {
   given.scene.view->vehicles = {{600, 100, 700, 180, 32, 0.5, 1.8, 0.9}};
   const Image picture = draw_overlay(given.scene);
   EXPECT_LT(distance_to(picture, {215, 300}, overlay_colour::kHighResolution), 5);
-  EXPECT_LT(distance_to(picture, {710, 320}, overlay_colour::kOther), 5);
+  EXPECT_LT(distance_to(picture, {710, 320}, overlay_colour::kOther), 20);
   EXPECT_LT(distance_to(picture, {440, 350}, overlay_colour::kSerial), 5);
-  EXPECT_LT(distance_to(picture, {920, 380}, overlay_colour::kMuted), 5);
+  EXPECT_LT(distance_to(picture, {920, 380}, overlay_colour::kMuted), 20);
   for (const Eigen::Vector2d& edge : {Eigen::Vector2d(600, 150), {700, 150}, {650, 100}, {650, 180}}) {
     EXPECT_LT(distance_to(picture, edge, overlay_colour::kVehicle), 12) << edge.transpose();
   }

@@ -106,6 +106,21 @@ TEST(ImageTruth, BoxesHoldTheRenderedVehicle) {
   EXPECT_NEAR(last, box.right, 3);
 }
 
+TEST(ImageTruth, AVehicleBesideTheCameraReachesToTheBorder) {
+  RenderedScene at(1);
+  at.scene().vehicles = {car_ahead(at.scene(), -2, at.scene().ego.lateral + 3.2)};
+  const CameraModel camera(serial_camera_intrinsics());
+  const ImageTruth truth(at.scene(), camera, at.mounting());
+  // Its front, 2.5 m ahead and 3.2 m aside, is beyond the image's border; a longer one is not.
+  EXPECT_TRUE(truth.vehicles().empty());
+  at.scene().vehicles.front().front = 16;
+  const auto boxes = ImageTruth(at.scene(), camera, at.mounting()).vehicles();
+  ASSERT_EQ(boxes.size(), 1u);
+  EXPECT_EQ(boxes.front().left, -0.5);
+  EXPECT_EQ(boxes.front().bottom, 639.5);
+  EXPECT_GT(boxes.front().right, 100);
+}
+
 TEST(ImageTruth, NearerVehiclesCoverFartherOnes) {
   RenderedScene at(1);
   SceneVehicle near = car_ahead(at.scene(), 15, at.scene().ego.lateral);
