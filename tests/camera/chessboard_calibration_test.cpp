@@ -150,14 +150,14 @@ TEST(ChessboardCalibration, AgreesWithTheReferenceOnRealBoards) {
   const auto folder = testing::real_data("highway_video/calibration");
   LANEFUSE_NEEDS_DATA(folder);
   std::vector<ChessboardView> views;
-  for (int i = 1; i <= 20; ++i) {
+  for (int i = 1; i <= 20; i += 2) {  // all of them: tests/cli
     const auto image =
         decode_image(testing::read_file(folder / ("calibration" + std::to_string(i) + ".jpg")));
     ASSERT_TRUE(image);
     if (const auto view = find_chessboard(image->view())) views.push_back(*view);
   }
   const auto result = calibrate_with_chessboards(views);
-  EXPECT_GE(result.views_used, 18);
+  EXPECT_GE(result.views_used, 9);
   EXPECT_LT(result.rms_px, 1.1);
   EXPECT_NEAR(result.camera.fx, 1160, 0.01 * 1160);
   EXPECT_NEAR(result.camera.fy, 1155, 0.01 * 1155);
