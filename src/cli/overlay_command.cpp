@@ -154,6 +154,7 @@ void check_ending(const OverlayOptions& options) {
 int overlay(const OverlayOptions& options) {
   check_ending(options);
   check_output(options.output, options.force, options.lanes);
+  const std::string title = LanesReader(options.lanes).drive().name;
   const LanesAndTruth context = find_truth(options.lanes, options.drive);
   if (context.drive.empty()) {
     throw configuration_error(options.lanes.string(),
@@ -162,7 +163,6 @@ int overlay(const OverlayOptions& options) {
   }
   check_output(options.output, true, context.drive);
   OverlayInput input(options.lanes, context.drive, options.camera);
-  const std::string title = LanesReader(options.lanes).drive().name;
   const Drawn drawn =
       options.at ? draw_still(options, input, context, title) : draw_video(options, input, context, title);
   print(options, drawn, input.camera().name);
