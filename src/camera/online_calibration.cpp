@@ -196,11 +196,14 @@ void OnlineCalibration::learn(int what, double residual, const RowVector& jacobi
   last.count = std::min(last.count + 1, kRemembered);
   // Neighbouring blocks are not quite independent.
   constexpr double kDependent = 1.3;
-  constexpr double kKnock = 4.8;          // [sigma] of the mean
-  constexpr double kContradiction = 3.5;  // [sigma] of one
-  const double mean = std::accumulate(last.values.begin(), last.values.end(), 0.0) / kRemembered;
-  const double mean_sigma = std::sqrt(known + kDependent * variance / kRemembered);
-  if (last.count == kRemembered && std::abs(mean) > kKnock * mean_sigma) {
+  constexpr double kContradiction = 3.5;  // [sigma] of one block
+  const auto contradicts = [&](std::size_t blocks, double sigmas) {
+    const auto n = static_cast<double>(blocks);
+    const auto end = last.values.begin() + static_cast<std::ptrdiff_t>(blocks);
+    const double mean = std::accumulate(last.values.begin(), end, 0.0) / n;
+    return last.count >= blocks && std::abs(mean) > sigmas * std::sqrt(known + kDependent * variance / n);
+  };
+  if (contradicts(3, 4.8) || contradicts(kRemembered, 4.8)) {
     knock(what);
   } else if (std::abs(residual) > kContradiction * std::sqrt(known + variance)) {
     return;

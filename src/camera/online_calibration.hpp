@@ -40,8 +40,8 @@ struct OnlineCalibrationConfig {
 /// points, the roll from how wide the neighbour lanes look beside the ego lane, the height from a known lane
 /// width only. A Kalman filter over the four and over how the neighbour lanes truly differ.
 ///
-/// A camera that is knocked out of place is noticed when the mean of three half seconds contradicts what was
-/// learned, and learned anew. Deterministic; allocates nothing.
+/// A camera that is knocked out of place is noticed when the mean of three or five half seconds contradicts
+/// what was learned, and learned anew. Deterministic; allocates nothing.
 class OnlineCalibration {
  public:
   explicit OnlineCalibration(const Mounting& mounting, const OnlineCalibrationConfig& config = {});
@@ -97,7 +97,7 @@ class OnlineCalibration {
   Gaussian<kSize> state_;
   Block block_;
   std::optional<Time> last_;
-  static constexpr std::size_t kRemembered = 3;
+  static constexpr std::size_t kRemembered = 5;
   /// The last blocks' residuals, newest first, by what was measured.
   struct Residuals {
     std::array<double, kRemembered> values{};
@@ -113,7 +113,7 @@ class OnlineCalibration {
   void learn_yaw();
   void learn_roll(Side side);
   void learn_height();
-  /// Takes in one number unless it contradicts; where three in a row contradict as one, it was a knock.
+  /// Takes in one number unless it contradicts; where the mean of three or five contradicts, it was a knock.
   void learn(int what, double residual, const RowVector& jacobian, double variance);
   void knock(int what);
   void forget_differences();
