@@ -66,6 +66,12 @@ TEST(Video, RealClipHasItsFramesAndAMotorwaysSpeed) {
   for (std::size_t i = 1; i < motion.motions.size(); ++i) {
     EXPECT_NEAR(*motion.motions[i].speed, *motion.motions[i - 1].speed, 0.5) << i;
   }
+  std::size_t images = 0;
+  write_video(import, motion, [&](const Measurement& measurement) {
+    EXPECT_FALSE(implausible(measurement));
+    if (std::holds_alternative<CameraImage>(measurement)) ++images;
+  });
+  EXPECT_EQ(images, motion.motions.size());
 }
 
 TEST(MotionTable, InterpolatesBetweenRows) {
