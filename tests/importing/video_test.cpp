@@ -57,7 +57,7 @@ TEST(Video, RealClipHasItsFramesAndAMotorwaysSpeed) {
   import.dash_period = 14.63;
   const VideoMotion motion = survey_video(import);
   ASSERT_EQ(motion.motions.size(), 76U);
-  EXPECT_EQ(motion.frames_announced, 309);
+  EXPECT_GE(motion.frames_announced, 76);  // a container may promise more
   EXPECT_GT(motion.speed_min, 26);
   EXPECT_LT(motion.speed_max, 33);
   EXPECT_EQ(motion.scale_source, "dash period");
@@ -66,6 +66,12 @@ TEST(Video, RealClipHasItsFramesAndAMotorwaysSpeed) {
   for (std::size_t i = 1; i < motion.motions.size(); ++i) {
     EXPECT_NEAR(*motion.motions[i].speed, *motion.motions[i - 1].speed, 0.5) << i;
   }
+  std::size_t images = 0;
+  write_video(import, motion, [&](const Measurement& measurement) {
+    EXPECT_FALSE(implausible(measurement));
+    if (std::holds_alternative<CameraImage>(measurement)) ++images;
+  });
+  EXPECT_EQ(images, motion.motions.size());
 }
 
 TEST(MotionTable, InterpolatesBetweenRows) {
