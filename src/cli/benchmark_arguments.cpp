@@ -109,6 +109,8 @@ void add_labels(CLI::App& benchmark, CommandLine& line) {
   command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
       ->expected(1)
       ->take_all();
+  command.add_flag("--list", options.list,
+                   "print every labelled image: mean error by 10 m, and what was found");
   finish(command, line, options, benchmark_labels);
 }
 

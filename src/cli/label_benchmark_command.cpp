@@ -21,7 +21,7 @@ class LabelledDrive {
  public:
   LabelledDrive(const LabelBenchmarkOptions& options, const PerceptionConfig& config, const Rig& rig,
                 const std::string& clip)
-      : tolerance_(options.tolerance), rig_(rig), perception_(config, rig) {
+      : tolerance_(options.tolerance), list_(options.list), rig_(rig), perception_(config, rig) {
     for (ImageLabels& labels : load_image_labels(options.labels, clip)) {
       const std::int64_t frame = labels.frame;
       labels_.emplace(frame, std::move(labels));
@@ -63,11 +63,23 @@ class LabelledDrive {
       if (frame == frames_.end() || !sensor || !sensor->camera) continue;
       const auto labels = labels_.find(frame->second);
       if (labels == labels_.end()) continue;
-      judge_labels(labels->second, estimate, view, CameraModel(*sensor->camera), tolerance_, figures_);
+      LabelFigures of_frame;
+      judge_labels(labels->second, estimate, view, CameraModel(*sensor->camera), tolerance_, of_frame);
+      if (list_) list(frame->second, of_frame);
+      figures_ += of_frame;
     }
   }
 
+  /// One labelled image, on a line of standard error.
+  static void list(std::int64_t frame, const LabelFigures& figures) {
+    fmt::print(stderr, "frame {:>4}:", frame);
+    for (const ErrorFigure& error : figures.error_px) fmt::print(stderr, " {:+6.1f}", error.mean());
+    fmt::print(stderr, " px; left {}, right {}, outer {}\n", figures.ego_left.count, figures.ego_right.count,
+               figures.right_outer.count);
+  }
+
   LabelTolerance tolerance_;
+  bool list_;
   Rig rig_;
   MultiLanePerception perception_;
   std::map<std::int64_t, ImageLabels> labels_;

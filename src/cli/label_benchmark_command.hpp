@@ -20,6 +20,7 @@ struct LabelBenchmarkOptions {
   std::optional<std::filesystem::path> config;
   std::vector<std::string> assignments;  ///< "key=value", over the file
   LabelTolerance tolerance;
+  bool list = false;  ///< say for every labelled image how far off the lanes are
   bool json = false;
   bool force = false;
 };

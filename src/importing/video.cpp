@@ -145,6 +145,12 @@ void add_notes(const VideoImport& import, VideoMotion& result) {
         "the scale of the speeds is that of the camera's height: {:.0f} % of one is {:.0f} % of the other",
         100 * kHeightSigma, 100 * kHeightSigma));
   }
+  if (result.scale_source == "dash period") {
+    result.notes.push_back(
+        fmt::format("the dashes say {:.3f} of the scale that the camera's height gives: its height in the "
+                    "recording is {:.3f} m",
+                    result.scale, result.rig.find(kVideoCamera)->mounting.z));
+  }
   if (import.speed) result.notes.emplace_back("speed as given; the yaw rate is from the road plane");
   constexpr double kLeastSeen = 0.8;
   if (result.seen < kLeastSeen) {
@@ -163,7 +169,7 @@ Rig video_rig(SensorDescription camera, const std::string& odometry) {
 }  // namespace
 
 VideoMotion survey_video(const VideoImport& import) {
-  const SensorDescription camera = load_camera(import.camera);
+  SensorDescription camera = load_camera(import.camera);
   VideoFrames frames(import.video);
   VideoMotion result;
   result.frames_per_second = frames.frames_per_second();
@@ -177,6 +183,7 @@ VideoMotion survey_video(const VideoImport& import) {
   const std::vector<RoadPlaneMotionEstimate> estimates = survey.estimates();
   if (estimates.empty()) throw input_error(import.video.string(), "no frame can be decoded");
   set_scale(import, survey, result);
+  camera.mounting.z *= result.scale;
   result.rig =
       video_rig(camera, result.scale_source == "given" ? "motion as given" : "motion from the road plane");
   set_motions(import, estimates, result);

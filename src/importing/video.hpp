@@ -22,7 +22,7 @@ struct VideoImport {
   std::optional<double> speed;                  ///< [m/s] throughout
   std::optional<std::filesystem::path> motion;  ///< a table, see MotionTable
   /// [m] between the begins of two dashes as painted, where the road's markings are dashed so regularly that
-  /// the scale of the speed can be taken from them.
+  /// the scale of the speed can be taken from them, and the camera's height, which is the same scale.
   std::optional<double> dash_period;
   int jpeg_quality = 95;  ///< in [1, 100]
 };
