@@ -103,7 +103,11 @@ void OnlineCalibration::add_neighbour(const LaneTrack& track, Side side) {
   const double ego_lever = -2 * track.width * track.lateral_offset / height;
   Block::Neighbour& sums = block_.neighbours[side == Side::left ? 0 : 1];
   sums.images += 1;
-  sums.lever_sum += neighbour_lever - ego_lever;
+  // It learns by the lever of lanes of the usual width around a car in their middle: the measured one errs
+  // together with the measured difference, and the filter would follow that.
+  constexpr double kUsual = 3.6;  // [m]
+  constexpr double kEdge = kUsual / 2 + kPaint;
+  sums.lever_sum += -outward * (square(kEdge + kUsual) - square(kEdge)) / mounting_.z;
   // What a roll of nothing would show, to be independent of the pose assumed.
   sums.difference_sum += neighbour->width - track.width + (neighbour_lever - ego_lever) * pose_.mounting.roll;
   sums.variance_sum += square(neighbour->sigma) + square(track.width_sigma);

@@ -50,6 +50,7 @@ struct LaneModelConfig {
   double lane_width_max = 5;        ///< [m] wider ones neither
   double range_max = 150;           ///< [m] no boundary speaks further
   double sigma_max = 2;             ///< [m] nor where its lateral sigma exceeds this
+  double offset_range = 40;  ///< [m] at which a feature counts half as much for the offset as beside the car
   /// Process noise of a boundary's filter, standard deviations a 2.4 m driven.
   double process_offset = 0.01;          ///< [m]
   double process_heading = 7e-4;         ///< [rad]

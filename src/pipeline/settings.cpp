@@ -190,6 +190,8 @@ void add_lanes(const Section& s, LaneModelConfig& c) {
   s.add("lane_width_max", c.lane_width_max, {1.0, 20.0}, "m", "wider gaps are no lane");
   s.add("range_max", c.range_max, {10.0, 500.0}, "m", "no boundary speaks further");
   s.add("sigma_max", c.sigma_max, {0.05, 100.0}, "m", "nor where its lateral sigma exceeds this");
+  s.add("offset_range", c.offset_range, {1.0, 1000.0}, "m",
+        "at which a feature counts half as much for a boundary's offset as beside the car");
   s.add("process_offset", c.process_offset, kSigma, "m", "process noise a 2.4 m driven");
   s.add("process_heading", c.process_heading, kSigma, "rad", "process noise a 2.4 m driven");
   s.add("process_curvature", c.process_curvature, kSigma, "1/m", "process noise a 2.4 m driven");

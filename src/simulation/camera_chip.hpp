@@ -30,9 +30,9 @@ class CameraChip {
   /// Three rows of light, of which the image row `v` is the middle one; each has one more pixel before its
   /// first and after its last.
   struct Rows {
-    const Colour* above = nullptr;
-    const Colour* here = nullptr;
-    const Colour* below = nullptr;
+    const LinearColour* above = nullptr;
+    const LinearColour* here = nullptr;
+    const LinearColour* below = nullptr;
   };
   /// `noise_key` names the image among those of the drive.
   void expose(const Rows& rows, int v, std::uint64_t noise_key, std::uint8_t* bytes) const;
@@ -42,8 +42,8 @@ class CameraChip {
   static constexpr int kNoiseCount = 1 << 13;
 
   Setup setup_;
-  float beside_;               ///< weight of either neighbour in the blur
-  std::vector<Colour> noise_;  ///< rows begin anywhere in its first kNoiseCount
+  float beside_;                     ///< weight of either neighbour in the blur
+  std::vector<LinearColour> noise_;  ///< rows begin anywhere in its first kNoiseCount
   std::array<std::uint8_t, kTones + 1> tones_{};
 };
 

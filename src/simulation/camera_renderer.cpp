@@ -17,9 +17,9 @@ namespace {
 /// Renders the rows from `first` up to `last`: a window of three rows of light moves down.
 void render_rows(const ImageScene& scene, const CameraChip& chip, std::pair<int, int> rows, Image& image) {
   const auto width = static_cast<std::size_t>(image.width());
-  std::vector<Colour> above(width + 2), here(width + 2), below(width + 2);
+  std::vector<LinearColour> above(width + 2), here(width + 2), below(width + 2);
   ImageRowPainter painter(scene);
-  const auto paint = [&](int v, std::vector<Colour>& row) {
+  const auto paint = [&](int v, std::vector<LinearColour>& row) {
     painter.paint(std::clamp(v, 0, image.height() - 1), &row[1]);
     row.front() = row[1];
     row.back() = row[width];

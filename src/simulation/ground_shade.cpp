@@ -22,7 +22,7 @@ constexpr double kGroveChance = 0.3;
 constexpr double kAlong = 0.10;    ///< by which the dapples' noise is stretched along the road
 constexpr double kAcross = 0.035;  ///< and across it: shadows of a side light lie across
 
-Colour kept_in_shade(const ImageLight& light) {
+LinearColour kept_in_shade(const ImageLight& light) {
   if (light.headlights) return grey(1);
   if (light.sun.head<3>().maxCoeff() <= 0) return grey(0.62F);
   return light.ambient / (light.ambient + light.sun).max(1e-3F);
@@ -71,7 +71,7 @@ void GroundShade::lay_bridges(const Scene& scene, const ImageLight& light, std::
 }
 
 void GroundShade::lay(const RoadPlace& from, const RoadPlace& to, const Footprint& footprint, int count,
-                      Colour* albedo) const {
+                      LinearColour* albedo) const {
   const double middle = (from.way + to.way) / 2;
   const double at = std::clamp(middle / kStep, 0.0, static_cast<double>(pieces_.size()) - 1.001);
   const Piece& low = pieces_[static_cast<std::size_t>(at)];

@@ -17,7 +17,7 @@ class GroundShade {
 
   /// Takes the light from albedos of a run of pixels, as RoadSurface::shade gave them.
   void lay(const RoadPlace& from, const RoadPlace& to, const Footprint& footprint, int count,
-           Colour* albedo) const;
+           LinearColour* albedo) const;
 
  private:
   static constexpr double kStep = 2;  ///< [m]
@@ -28,8 +28,8 @@ class GroundShade {
     int side = 0;      ///< on which they stand: +1 left
   };
   const SurfaceTextures* textures_;
-  double station_;  ///< [m] of the ego car
-  Colour kept_;     ///< of the light, in full shade
+  double station_;     ///< [m] of the ego car
+  LinearColour kept_;  ///< of the light, in full shade
   std::vector<Piece> pieces_;
 
   void lay_trees(std::uint64_t seed);

@@ -11,7 +11,7 @@ float air_transmission(double distance, const ImageLight& light) {
   return static_cast<float>(std::exp(-3.9 * distance / light.visibility));  // Koschmieder: 2 % are left
 }
 
-Colour through_air(const Colour& thing, double distance, const ImageLight& light) {
+LinearColour through_air(const LinearColour& thing, double distance, const ImageLight& light) {
   return light.horizon + air_transmission(distance, light) * (thing - light.horizon);
 }
 
@@ -32,14 +32,14 @@ float headlights_upright(double x, double y) {
   return static_cast<float>(0.5 * std::exp(-x / 40) * std::exp(-(y / width) * (y / width)));
 }
 
-Colour light_on_road(double x, double y, const ImageLight& light) {
-  Colour all = light.ambient + light.sun;
+LinearColour light_on_road(double x, double y, const ImageLight& light) {
+  LinearColour all = light.ambient + light.sun;
   if (light.headlights) all += headlights_on_road(x, y) * colour(0.85F, 0.97F, 1);
   return all;
 }
 
-Colour light_upright(double x, double y, const ImageLight& light) {
-  Colour all = 0.6F * light.ambient + 0.35F * light.sun;
+LinearColour light_upright(double x, double y, const ImageLight& light) {
+  LinearColour all = 0.6F * light.ambient + 0.35F * light.sun;
   if (light.headlights) all += headlights_upright(x, y) * colour(0.85F, 0.97F, 1);
   return all;
 }

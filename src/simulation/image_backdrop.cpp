@@ -65,24 +65,24 @@ float ImageBackdrop::glow_of_row(float above_horizon) const {
   return static_cast<float>(std::exp(-off * off / kGlow));
 }
 
-void ImageBackdrop::draw_row(int v, Colour* pixels) const {
+void ImageBackdrop::draw_row(int v, LinearColour* pixels) const {
   const auto row = static_cast<float>(v);
-  const Colour lit = 0.7F * light_.ambient + 0.3F * light_.sun;
-  const Colour fields = through_air(colour(0.06F, 0.15F, 0.12F) * lit, 600, light_);
-  const Colour trees = colour(0.04F, 0.09F, 0.06F) * lit;
-  const Colour woods = through_air(trees, kWoodsDistance, light_);
-  const Colour leaf_contrast = 0.25F * air_transmission(kWoodsDistance, light_) * trees;
-  const Colour hills = through_air(colour(0.09F, 0.11F, 0.08F) * lit, kHillDistance, light_);
+  const LinearColour lit = 0.7F * light_.ambient + 0.3F * light_.sun;
+  const LinearColour fields = through_air(colour(0.06F, 0.15F, 0.12F) * lit, 600, light_);
+  const LinearColour trees = colour(0.04F, 0.09F, 0.06F) * lit;
+  const LinearColour woods = through_air(trees, kWoodsDistance, light_);
+  const LinearColour leaf_contrast = 0.25F * air_transmission(kWoodsDistance, light_) * trees;
+  const LinearColour hills = through_air(colour(0.09F, 0.11F, 0.08F) * lit, kHillDistance, light_);
   const TextureTile::Level leaves = texture_->level(0.04, 0.04);
   const Column& middle = columns_[columns_.size() / 2];
-  const Colour glow = light_.sun * (2.2F * glow_of_row(middle.horizon - row));
+  const LinearColour glow = light_.sun * (2.2F * glow_of_row(middle.horizon - row));
   for (std::size_t u = 0; u < columns_.size(); ++u) {
     const Column& column = columns_[u];
     const float above = column.horizon - row;
     const float below_horizon = std::clamp(0.5F - above, 0.0F, 1.0F);
     const float in_woods = std::clamp(row - column.woods + 0.5F, 0.0F, 1.0F);
     const float in_hills = std::clamp(row - column.hills + 0.5F, 0.0F, 1.0F);
-    Colour pixel = woods;
+    LinearColour pixel = woods;
     if (in_woods < 1) {
       const auto height =
           static_cast<std::size_t>(std::clamp(above, 0.0F, static_cast<float>(sky_.size() - 1)));

@@ -19,7 +19,7 @@ class ImageBackdrop {
                 const TextureTile& texture, double heading);
 
   /// Colours of all pixels of row `v`.
-  void draw_row(int v, Colour* pixels) const;
+  void draw_row(int v, LinearColour* pixels) const;
 
  private:
   struct Column {
@@ -34,7 +34,7 @@ class ImageBackdrop {
   double sun_height_;   ///< [px] over the horizon
   double bearing_ = 0;  ///< [px] of the first column in the world
   std::vector<Column> columns_;
-  std::vector<Colour> sky_;  ///< by the pixel over the horizon
+  std::vector<LinearColour> sky_;  ///< by the pixel over the horizon
 
   void lay_sky(int height);
   [[nodiscard]] float glow_of_row(float above_horizon) const;

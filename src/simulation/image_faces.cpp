@@ -43,7 +43,7 @@ Corners in_front(const Corners& corners) {
 }
 
 /// Lays the face's part in row `v` over the pixels.
-void draw_face(const Face& face, int v, SpanCoverage& coverage, Colour* pixels) {
+void draw_face(const Face& face, int v, SpanCoverage& coverage, LinearColour* pixels) {
   constexpr int kSubRows = 4;
   for (int i = 0; i < kSubRows; ++i) {
     const double row = v - 0.5 + (i + 0.5) / kSubRows;
@@ -110,7 +110,7 @@ FacesByRow::FacesByRow(std::vector<Face> faces, int height)
   }
 }
 
-void FacesByRow::draw_row(int v, SpanCoverage& coverage, Colour* pixels) const {
+void FacesByRow::draw_row(int v, SpanCoverage& coverage, LinearColour* pixels) const {
   for (const std::uint32_t i : rows_[static_cast<std::size_t>(v)]) draw_face(faces_[i], v, coverage, pixels);
 }
 

@@ -20,7 +20,7 @@ struct Face {
   double top = 0;                        ///< [px] row
   double bottom = 0;                     ///< [px] row
   double distance = 0;                   ///< [m] that decides what hides what
-  Colour colour = grey(0);               ///< light that reaches the camera
+  LinearColour colour = grey(0);         ///< light that reaches the camera
   float opacity = 1;
 };
 
@@ -32,7 +32,7 @@ class ImageFaces {
 
   /// How a face looks before the air comes between.
   struct Paint {
-    Colour colour = grey(0);
+    LinearColour colour = grey(0);
     float opacity = 1;
   };
   /// Corners in the vehicle frame [m], in order around a convex outline; what is behind the camera is cut
@@ -61,7 +61,7 @@ class FacesByRow {
 
   /// Lays what row `v` shows of them over its pixels; `coverage` is scratch of the row's width, clear before
   /// and after.
-  void draw_row(int v, SpanCoverage& coverage, Colour* pixels) const;
+  void draw_row(int v, SpanCoverage& coverage, LinearColour* pixels) const;
 
  private:
   std::vector<Face> faces_;
@@ -70,6 +70,6 @@ class FacesByRow {
 
 /// Lays the face's part in row `v` over the pixels; `coverage` is scratch of the row's width, clear before
 /// and after.
-void draw_row(const Face& face, int v, SpanCoverage& coverage, Colour* pixels);
+void draw_row(const Face& face, int v, SpanCoverage& coverage, LinearColour* pixels);
 
 }  // namespace lanefuse

@@ -103,11 +103,11 @@ float ImageRowPainter::mirrored(const GroundHit& hit) const {
 }
 
 /// Light on the road, what it mirrors, and the air before it: exact at the segment's ends.
-void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixels) const {
+void ImageRowPainter::light_segment(int node, const LinearColour* albedo, LinearColour* pixels) const {
   const ImageLight& light = scene_->light_;
   struct End {
-    Colour factor;
-    Colour extra;
+    LinearColour factor;
+    LinearColour extra;
   };
   const auto end_at = [&](std::size_t i) {
     const GroundHit& hit = near_[i];
@@ -120,10 +120,10 @@ void ImageRowPainter::light_segment(int node, const Colour* albedo, Colour* pixe
   const End left = end_at(static_cast<std::size_t>(node));
   const End right = end_at(static_cast<std::size_t>(node) + 1);
   const int count = std::min(kSegment, scene_->width_ - node * kSegment);
-  const Colour factor_step = (right.factor - left.factor) / static_cast<float>(kSegment);
-  const Colour extra_step = (right.extra - left.extra) / static_cast<float>(kSegment);
-  Colour factor = left.factor;
-  Colour extra = left.extra;
+  const LinearColour factor_step = (right.factor - left.factor) / static_cast<float>(kSegment);
+  const LinearColour extra_step = (right.extra - left.extra) / static_cast<float>(kSegment);
+  LinearColour factor = left.factor;
+  LinearColour extra = left.extra;
   for (int i = 0; i < count; ++i) {
     pixels[i] = albedo[i] * factor + extra;
     factor += factor_step;
@@ -140,7 +140,7 @@ RoadPlace ImageRowPainter::place(std::size_t node) const {
   return {(far_[node].way + near_[node].way) / 2, (far_[node].lateral + near_[node].lateral) / 2};
 }
 
-void ImageRowPainter::paint_ground(Colour* pixels) {
+void ImageRowPainter::paint_ground(LinearColour* pixels) {
   const auto shows_ground = [this](std::size_t i) { return near_[i].ground && near_[i + 1].ground; };
   for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
     if (!shows_ground(i)) continue;
@@ -149,13 +149,13 @@ void ImageRowPainter::paint_ground(Colour* pixels) {
   scene_->paint_.lay({&far_, &near_}, coverage_, albedo_.data());
   for (std::size_t i = 0; i + 1 < near_.size(); ++i) {
     if (!shows_ground(i)) continue;
-    Colour* const albedo = &albedo_[i * kSegment];
+    LinearColour* const albedo = &albedo_[i * kSegment];
     scene_->shade_.lay(place(i), place(i + 1), footprint(i), kSegment, albedo);
     light_segment(static_cast<int>(i), albedo, pixels + i * kSegment);
   }
 }
 
-void ImageRowPainter::paint(int v, Colour* pixels) {
+void ImageRowPainter::paint(int v, LinearColour* pixels) {
   cast(v);
   const auto is_ground = [](const GroundHit& hit) { return hit.ground; };
   if (!std::all_of(near_.begin(), near_.end(), is_ground)) scene_->backdrop_.draw_row(v, pixels);

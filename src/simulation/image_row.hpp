@@ -53,7 +53,7 @@ class ImageRowPainter {
   explicit ImageRowPainter(const ImageScene& scene);
 
   /// The light that reaches the pixels of row `v`.
-  void paint(int v, Colour* pixels);
+  void paint(int v, LinearColour* pixels);
 
  private:
   const ImageScene* scene_;
@@ -61,15 +61,15 @@ class ImageRowPainter {
   std::vector<GroundHit> near_;
   std::optional<int> near_row_;  ///< whose lower edge near_ is
   SpanCoverage coverage_;
-  std::vector<Colour> albedo_;
+  std::vector<LinearColour> albedo_;
 
   void cast(int v);
   /// Of the middle of the row, at a segment's end.
   [[nodiscard]] RoadPlace place(std::size_t node) const;
   [[nodiscard]] Footprint footprint(std::size_t node) const;
-  void paint_ground(Colour* pixels);
+  void paint_ground(LinearColour* pixels);
   [[nodiscard]] float mirrored(const GroundHit& hit) const;
-  void light_segment(int node, const Colour* albedo, Colour* pixels) const;
+  void light_segment(int node, const LinearColour* albedo, LinearColour* pixels) const;
 };
 
 }  // namespace lanefuse

@@ -24,7 +24,7 @@ bool sealed(int line, double station) {
   return ((piece * 31 + static_cast<std::uint64_t>(line)) * 0x9e3779b97f4a7c15ULL >> 60) < 7;
 }
 
-Colour colour_of(const MarkingEvidence& marking, float white) {
+LinearColour colour_of(const MarkingEvidence& marking, float white) {
   if (marking.colour == MarkingColour::yellow) return white * colour(0.16F, 0.70F, 0.95F);
   return white * colour(0.97F, 1, 1);
 }
@@ -133,7 +133,8 @@ void RoadPaint::cover(const Line& line, const GroundRow& row, const SubRow& sub_
   }
 }
 
-void RoadPaint::blend(const Line& line, const GroundRow& row, SpanCoverage& coverage, Colour* albedo) const {
+void RoadPaint::blend(const Line& line, const GroundRow& row, SpanCoverage& coverage,
+                      LinearColour* albedo) const {
   const std::vector<GroundHit>& near = *row.near;
   const std::vector<GroundHit>& far = *row.far;
   for (int u = coverage.begin(); u < coverage.end(); ++u) {
@@ -153,12 +154,12 @@ void RoadPaint::blend(const Line& line, const GroundRow& row, SpanCoverage& cove
       const float hole = std::clamp(0.9F * (wear.at(station, lateral) - 1.3F), 0.0F, 0.8F);
       share *= 1 - static_cast<float>(look_.wear) * (0.08F + hole);
     }
-    const Colour paint = colour_of(scene_->road->marking(line.index, station), look_.white);
+    const LinearColour paint = colour_of(scene_->road->marking(line.index, station), look_.white);
     albedo[u] += share * (paint - albedo[u]);
   }
 }
 
-void RoadPaint::lay(const GroundRow& row, SpanCoverage& coverage, Colour* albedo) const {
+void RoadPaint::lay(const GroundRow& row, SpanCoverage& coverage, LinearColour* albedo) const {
   const std::size_t middle = row.near->size() / 2;
   const double depth = (*row.far)[middle].way - (*row.near)[middle].way;
   const int pieces = std::clamp(static_cast<int>(std::ceil(depth / kFinestPiece)), 1, kMostPieces);

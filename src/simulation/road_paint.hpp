@@ -30,7 +30,7 @@ class RoadPaint {
   RoadPaint(const Scene& scene, const RoadAhead& road, const SurfaceTextures& textures, const Look& look);
 
   /// Lays the paint onto a row of albedos; `coverage` is scratch of the row's width, clear before and after.
-  void lay(const GroundRow& row, SpanCoverage& coverage, Colour* albedo) const;
+  void lay(const GroundRow& row, SpanCoverage& coverage, LinearColour* albedo) const;
 
  private:
   enum class Kind : std::uint8_t { paint = 0, ghost = 1, seam = 2 };
@@ -58,7 +58,7 @@ class RoadPaint {
   [[nodiscard]] double lateral(const Line& line, double way) const;
   void cover(const Line& line, const GroundRow& row, const SubRow& sub_row, SpanCoverage& coverage) const;
   [[nodiscard]] float painted_share(const Line& line, double from, double to) const;
-  void blend(const Line& line, const GroundRow& row, SpanCoverage& coverage, Colour* albedo) const;
+  void blend(const Line& line, const GroundRow& row, SpanCoverage& coverage, LinearColour* albedo) const;
 };
 
 }  // namespace lanefuse

@@ -19,7 +19,7 @@ constexpr double kOtherWidth = 11;  ///< [m] of it
 constexpr float kGrassGrain = 0.28F;
 constexpr float kAsphaltGrain = 0.13F;
 
-Colour with_grain(Colour albedo, float grain) {
+LinearColour with_grain(LinearColour albedo, float grain) {
   albedo[3] = grain;
   return albedo;
 }
@@ -56,7 +56,7 @@ RoadSurface::RoadSurface(const Scene& scene, const RoadAhead& road, const Surfac
   }
 }
 
-void RoadSurface::lay_section(const Road& road, double station, float asphalt, Colour* cells) const {
+void RoadSurface::lay_section(const Road& road, double station, float asphalt, LinearColour* cells) const {
   const double left = road.guard_rail(+1, station);
   const double right = road.guard_rail(-1, station);
   std::vector<double> centres;
@@ -64,8 +64,8 @@ void RoadSurface::lay_section(const Road& road, double station, float asphalt, C
     if (road.lane_exists(lane, station)) centres.push_back(road.lane_centre(lane, station));
   }
   const TextureTile::Level patches = textures_->patches.level(kStep, 0.5);
-  const Colour grass = colour(0.05F, 0.15F, 0.11F);
-  const Colour gravel = colour(0.16F, 0.19F, 0.21F);
+  const LinearColour grass = colour(0.05F, 0.15F, 0.11F);
+  const LinearColour gravel = colour(0.16F, 0.19F, 0.21F);
   for (int i = 0; i < kCells; ++i) {
     const double lateral = -kHalfWidth + i * kCell;
     const float patch = contrast_ * patches.at(station, lateral);
@@ -80,21 +80,21 @@ void RoadSurface::lay_section(const Road& road, double station, float asphalt, C
     } else if (outside < kVerge + kGravel) {
       cells[i] = with_grain(gravel * (1 + 0.1F * patch), kGrassGrain);
     } else {
-      const Colour dry = colour(0, 0.02F, 0.035F);
+      const LinearColour dry = colour(0, 0.02F, 0.035F);
       cells[i] = with_grain((grass + dry * patch).max(0.02F), kGrassGrain);
     }
   }
 }
 
 void RoadSurface::shade(const RoadPlace& from, const RoadPlace& to, const Footprint& footprint, int count,
-                        Colour* albedo) const {
+                        LinearColour* albedo) const {
   const TextureTile::Level grain = textures_->grain.level(footprint.along, footprint.across);
   const double middle = station_ + (from.way + to.way) / 2;
   const double section = std::clamp((middle - first_) / kStep, 0.0, section_count_ - 1.001);
   const auto low = static_cast<int>(section);
   const auto between = static_cast<float>(section - low);
-  const Colour* near = &sections_[static_cast<std::size_t>(low) * kCells];
-  const Colour* far = near + kCells;
+  const LinearColour* near = &sections_[static_cast<std::size_t>(low) * kCells];
+  const LinearColour* far = near + kCells;
   const double lateral_step = (to.lateral - from.lateral) / count;
   std::array<float, GroundRays::kSegment> speckles;
   assert(count <= GroundRays::kSegment);
@@ -107,9 +107,9 @@ void RoadSurface::shade(const RoadPlace& from, const RoadPlace& to, const Footpr
     const float cell = std::min(std::max(first_cell + static_cast<float>(i) * cell_step, 0.0F), kLast);
     const auto index = static_cast<int>(cell);
     const float across = cell - static_cast<float>(index);
-    const Colour here = near[index] + across * (near[index + 1] - near[index]);
-    const Colour there = far[index] + across * (far[index + 1] - far[index]);
-    const Colour ground = here + between * (there - here);
+    const LinearColour here = near[index] + across * (near[index + 1] - near[index]);
+    const LinearColour there = far[index] + across * (far[index + 1] - far[index]);
+    const LinearColour ground = here + between * (there - here);
     albedo[i] = ground * (1 + contrast_ * ground[3] * speckles[i]);
   }
 }

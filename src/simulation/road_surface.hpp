@@ -34,7 +34,7 @@ class RoadSurface {
 
   /// Albedos of a run of `count` pixels from place `from` (the first) to `to` (one beyond the last).
   void shade(const RoadPlace& from, const RoadPlace& to, const Footprint& footprint, int count,
-             Colour* albedo) const;
+             LinearColour* albedo) const;
 
  private:
   static constexpr double kCell = 0.1;      ///< [m] across
@@ -47,9 +47,9 @@ class RoadSurface {
   double station_;  ///< [m] of the ego car
   double first_;    ///< [m] station of the first cross-section
   int section_count_;
-  std::vector<Colour> sections_;  ///< albedo, and the grain's contrast as the fourth number
+  std::vector<LinearColour> sections_;  ///< albedo, and the grain's contrast as the fourth number
 
-  void lay_section(const Road& road, double station, float asphalt, Colour* cells) const;
+  void lay_section(const Road& road, double station, float asphalt, LinearColour* cells) const;
 };
 
 }  // namespace lanefuse

@@ -41,7 +41,7 @@ class Heights {
 void add_beam(const Heights& heights, int side, double from, double to, ImageFaces& faces) {
   const auto band = [&](double low, double high, float albedo) {
     const Eigen::Vector3d middle = heights.rail(side, (from + to) / 2, 0);
-    const Colour seen = albedo * light_upright(middle.x(), middle.y(), faces.light());
+    const LinearColour seen = albedo * light_upright(middle.x(), middle.y(), faces.light());
     faces.add({heights.rail(side, from, low), heights.rail(side, to, low), heights.rail(side, to, high),
                heights.rail(side, from, high)},
               middle.head<2>().norm(), {seen, 1});
@@ -54,7 +54,7 @@ void add_beam(const Heights& heights, int side, double from, double to, ImageFac
 
 void add_post(const Heights& heights, int side, double way, ImageFaces& faces) {
   const Eigen::Vector3d foot = heights.rail(side, way, 0);
-  const Colour seen = 0.16F * light_upright(foot.x(), foot.y(), faces.light());
+  const LinearColour seen = 0.16F * light_upright(foot.x(), foot.y(), faces.light());
   const auto corner = [&](double along, double height) { return heights.rail(side, way + along, height); };
   // Just behind its beam.
   faces.add({corner(-0.06, 0), corner(0.06, 0), corner(0.06, kRailBottom), corner(-0.06, kRailBottom)},
@@ -62,7 +62,7 @@ void add_post(const Heights& heights, int side, double way, ImageFaces& faces) {
 }
 
 /// A ball of leaves as a ragged polygon that faces the camera.
-void add_leaves(const Eigen::Vector3d& middle, double radius, const Colour& colour, Random& random,
+void add_leaves(const Eigen::Vector3d& middle, double radius, const LinearColour& colour, Random& random,
                 ImageFaces& faces) {
   const Eigen::Vector2d ahead = middle.head<2>().normalized();
   std::vector<Eigen::Vector3d> outline;
@@ -78,13 +78,13 @@ void add_leaves(const Eigen::Vector3d& middle, double radius, const Colour& colo
 
 void add_tree(const Eigen::Vector3d& foot, Random& random, ImageFaces& faces) {
   const double height = random.uniform(5, 12);
-  const Colour light = light_upright(foot.x(), foot.y(), faces.light());
+  const LinearColour light = light_upright(foot.x(), foot.y(), faces.light());
   const double distance = foot.head<2>().norm();
   const Eigen::Vector3d up(0, 0, 1);
   const Eigen::Vector3d aside(0, 0.18, 0);
   faces.add({foot - aside, foot + aside, foot + aside + 0.5 * height * up, foot - aside + 0.5 * height * up},
             distance + 1, {colour(0.04F, 0.05F, 0.07F) * light, 1});
-  const Colour leaves =
+  const LinearColour leaves =
       colour(0.035F, 0.085F, 0.06F) * (1 + 0.35F * static_cast<float>(random.uniform(-1, 1)));
   // Small balls near by, where they are seen one by one; the lit ones above and before the dark ones.
   const int balls = distance < 120 ? 42 : 12;

@@ -20,7 +20,7 @@ Random draws_of(const SceneVehicle& vehicle) {
   return {static_cast<std::uint64_t>(vehicle.id), "looks of a vehicle"};
 }
 
-Colour paint_of(const SceneVehicle& vehicle, bool truck) {
+LinearColour paint_of(const SceneVehicle& vehicle, bool truck) {
   Random random = draws_of(vehicle);
   random.uniform();
   const double hue = random.uniform();
@@ -49,7 +49,7 @@ class BodyPainter {
 
   /// Across the vehicle at x, from z to z, half as wide as said below and above.
   void across(const Eigen::Vector2d& x, const Eigen::Vector2d& z, const Eigen::Vector2d& half_width,
-              const Colour& albedo) {
+              const LinearColour& albedo) {
     add({{x[0], half_width[0], z[0]},
          {x[0], -half_width[0], z[0]},
          {x[1], -half_width[1], z[1]},
@@ -57,11 +57,11 @@ class BodyPainter {
         albedo * light_);
   }
   /// Beside its middle, from y to y.
-  void patch(double x, const Eigen::Vector2d& y, const Eigen::Vector2d& z, const Colour& radiance) {
+  void patch(double x, const Eigen::Vector2d& y, const Eigen::Vector2d& z, const LinearColour& radiance) {
     add({{x, y[0], z[0]}, {x, y[1], z[0]}, {x, y[1], z[1]}, {x, y[0], z[1]}}, radiance);
   }
   /// Along its side at y: from x to x below and above.
-  void side(double y, const Eigen::Vector4d& x, const Eigen::Vector2d& z, const Colour& albedo) {
+  void side(double y, const Eigen::Vector4d& x, const Eigen::Vector2d& z, const LinearColour& albedo) {
     add({{x[0], y, z[0]}, {x[1], y, z[0]}, {x[3], y, z[1]}, {x[2], y, z[1]}}, albedo * light_ * 0.85F);
   }
   void wheel(double x, double y, double radius) {
@@ -72,7 +72,7 @@ class BodyPainter {
     }
     add(rim, grey(0.02F) * light_);
   }
-  [[nodiscard]] const Colour& light() const { return light_; }
+  [[nodiscard]] const LinearColour& light() const { return light_; }
   [[nodiscard]] bool night() const { return faces_->light().headlights; }
 
  private:
@@ -80,10 +80,10 @@ class BodyPainter {
   float mirror_;
   ImageFaces* faces_;
   double distance_ = 0;
-  Colour light_;
+  LinearColour light_;
   Eigen::Vector2d seen_from_;
 
-  void add(std::vector<Eigen::Vector3d> corners, const Colour& radiance) {
+  void add(std::vector<Eigen::Vector3d> corners, const LinearColour& radiance) {
     for (Eigen::Vector3d& corner : corners) {
       const Eigen::Vector2d at = place_.ego_from_vehicle * Eigen::Vector2d(corner.head<2>());
       corner = {at.x(), at.y(), place_.ground + (mirror_ > 0 ? -corner.z() : corner.z())};
@@ -92,15 +92,15 @@ class BodyPainter {
   }
 };
 
-Colour tail_light(const BodyPainter& painter) {
+LinearColour tail_light(const BodyPainter& painter) {
   return painter.night() ? colour(0.05F, 0.06F, 1.3F) : colour(0.02F, 0.02F, 0.30F) * painter.light();
 }
 
-void paint_car(const VehicleBody& body, const Colour& paint, BodyPainter& painter) {
+void paint_car(const VehicleBody& body, const LinearColour& paint, BodyPainter& painter) {
   const double half = body.width / 2;
   const double belt = 0.63 * body.height;
-  const Colour glass = grey(0.05F);
-  const Colour dark = grey(0.03F);
+  const LinearColour glass = grey(0.05F);
+  const LinearColour dark = grey(0.03F);
   const double roof_end = std::min(body.length - 1.3, 3.0);
   for (const double y : {half, -half}) {
     if ((painter.eye_y() - y) * y <= 0) continue;
@@ -125,7 +125,7 @@ void paint_car(const VehicleBody& body, const Colour& paint, BodyPainter& painte
   painter.patch(-0.01, {-0.26, 0.26}, {0.6, 0.72}, grey(0.55F) * painter.light());
 }
 
-void paint_truck(const VehicleBody& body, const Colour& paint, BodyPainter& painter) {
+void paint_truck(const VehicleBody& body, const LinearColour& paint, BodyPainter& painter) {
   const double half = body.width / 2;
   for (const double y : {half, -half}) {
     if ((painter.eye_y() - y) * y <= 0) continue;
@@ -148,7 +148,7 @@ void paint_truck(const VehicleBody& body, const Colour& paint, BodyPainter& pain
 
 void paint_vehicle(const SceneVehicle& vehicle, BodyPainter painter) {
   const VehicleBody body = body_of(vehicle);
-  const Colour paint = paint_of(vehicle, body.truck);
+  const LinearColour paint = paint_of(vehicle, body.truck);
   if (body.truck) {
     paint_truck(body, paint, painter);
   } else {

@@ -146,6 +146,11 @@ struct Knock {
   double yaw;
 };
 
+void PrintTo(const Knock& knock, std::ostream* out) {
+  *out << "roll " << knock.roll / kDegree << ", pitch " << knock.pitch / kDegree << ", yaw "
+       << knock.yaw / kDegree << " deg";
+}
+
 class OnlineCalibrationKnock : public ::testing::TestWithParam<Knock> {};
 
 TEST_P(OnlineCalibrationKnock, IsNoticedAndLearnedAnew) {
