@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What an image costs beside OpenCV's Canny on the same frame, on one core: the whole extraction of marking
-// features from the high-resolution camera, with covariances. The last line prints both and their ratio.
+// features from the high-resolution camera, with covariances, and the serial camera's lane tracker. The last
+// lines print both and their ratio.
 #include <algorithm>
 #include <ctime>
 #include <opencv2/core.hpp>
@@ -12,7 +13,9 @@
 #include <benchmark/benchmark.h>
 
 #include "camera/image.hpp"
+#include "camera/lane_tracker.hpp"
 #include "camera/marking_extractor.hpp"
+#include "camera/online_calibration.hpp"
 #include "core/random.hpp"
 #include "simulation/camera_image_model.hpp"
 #include "simulation/image_truth.hpp"
@@ -85,12 +88,17 @@ void extract_markings(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(features), benchmark::Counter::kAvgIterations);
 }
 
-/// Both in turn on the same frames, so that whatever else the machine does hits both; the medians and their
-/// ratio.
-void against_canny(benchmark::State& state) {
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Ours and Canny in turn on the same frames, so that whatever else the machine does hits both; the medians
+/// and their ratio. `work` takes the number of a frame.
+template <class Work>
+void compare(benchmark::State& state, const std::vector<Frame>& frames, Work work) {
   cv::setNumThreads(1);
-  const std::vector<Frame>& frames = high_resolution_frames();
-  MarkingExtractor extractor(high_resolution_camera_intrinsics());
   std::vector<double> ours;
   std::vector<double> theirs;
   // Processor time: the machine may have other things to do.
@@ -103,28 +111,60 @@ void against_canny(benchmark::State& state) {
   for (auto _ : state) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       std::clock_t begin = std::clock();
-      extractor.extract({frames[i].image.view(), frames[i].pose, frames[i].vehicles, 2.4});
+      work(i);
       ours.push_back(ms_since(begin));
       begin = std::clock();
       cv::Canny(grey[i], edges, 100, 200);
       theirs.push_back(ms_since(begin));
     }
   }
-  const auto median = [](std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-  };
-  const double extraction = median(ours);
+  const double mine = median(ours);
   const double reference = median(theirs);
-  state.counters["extract_ms"] = extraction;
+  state.counters["ours_ms"] = mine;
   state.counters["canny_ms"] = reference;
-  state.counters["ratio"] = extraction / reference;
+  state.counters["ratio"] = mine / reference;
+}
+
+void extraction_against_canny(benchmark::State& state) {
+  const std::vector<Frame>& frames = high_resolution_frames();
+  MarkingExtractor extractor(high_resolution_camera_intrinsics());
+  compare(state, frames, [&](std::size_t i) {
+    extractor.extract({frames[i].image.view(), frames[i].pose, frames[i].vehicles, 2.4});
+  });
+}
+
+/// The serial camera's lane tracker with its online calibration; each frame has a tracker of its own that
+/// stands in front of it and follows the lane already.
+void tracking_against_canny(benchmark::State& state) {
+  const std::vector<Frame> frames = render(serial_camera_intrinsics());
+  struct Follower {
+    LaneTracker tracker{serial_camera_intrinsics()};
+    OnlineCalibration calibration{Mounting{0, 0, 1.25, 0, 0, 0}};
+    Time now{};
+  };
+  std::vector<Follower> followers(frames.size());
+  double tracked = 0;
+  const auto follow = [&](std::size_t i) {
+    Follower& f = followers[i];
+    f.now += std::chrono::milliseconds(40);
+    const LaneTrack& track =
+        f.tracker.track({frames[i].image.view(), f.now, f.calibration.pose(), 0, 0, frames[i].vehicles});
+    f.calibration.update(track, 0, 0, f.now);
+    tracked += track.status == LaneTrackStatus::tracking ? 1 : 0;
+  };
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (int warm = 0; warm < 20; ++warm) follow(i);
+  }
+  tracked = 0;
+  compare(state, frames, follow);
+  state.counters["tracked"] =
+      tracked / (static_cast<double>(frames.size()) * static_cast<double>(state.iterations()));
 }
 
 BENCHMARK_CAPTURE(canny, high_resolution, high_resolution_frames())->Unit(benchmark::kMillisecond);
 BENCHMARK(extract_markings)->Unit(benchmark::kMillisecond);
-BENCHMARK(against_canny)->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK(extraction_against_canny)->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK(tracking_against_canny)->Unit(benchmark::kMillisecond)->Iterations(20);
 
 }  // namespace
 }  // namespace lanefuse

@@ -15,7 +15,7 @@ struct VehicleDetectorConfig {
   double nearest = 5;         ///< [m] along x to the rear of a vehicle
   double farthest = 55;       ///< [m]
   double widest_view = 11;    ///< [m] to either side; what stands further off is beside the road
-  double narrowest = 1.4;     ///< [m] a vehicle
+  double narrowest = 1.3;     ///< [m] a vehicle
   double widest = 2.7;        ///< [m]
   int frames_to_confirm = 3;  ///< a box must have been seen in so many images before it is reported
   double coast = 0.4;         ///< [s] for which a box is kept without being seen
