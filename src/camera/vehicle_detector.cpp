@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kImageColumns = 640;  ///< [px] that images are reduced to
 constexpr double kLeastShadow = 0.4;
-constexpr double kLeastScore = 0.3;   ///< of a box on the grid
+constexpr double kLeastScore = 0.3;     ///< of a box on the grid
 constexpr double kRefinedScore = 0.42;  ///< of a box whose edges have been refined
-constexpr double kSimilar = 0.5;       ///< overlap of two boxes on the grid that show the same
-constexpr double kMostOverlap = 0.15;  ///< of two boxes in one image
+constexpr double kSimilar = 0.5;        ///< overlap of two boxes on the grid that show the same
+constexpr double kMostOverlap = 0.15;   ///< of two boxes in one image
 
 /// The best ones, none overlapping a better one more than `most`.
 std::vector<FoundVehicle> without_overlap(std::vector<FoundVehicle> all, double most) {

@@ -88,7 +88,8 @@ std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused,
   for (std::size_t i = 0; i < fused.size(); ++i) {
     if (groups[i] != group) continue;
     // The course's own error grows with the distance: near features know the offset best.
-    const double weight = fused[i].confidence / (1 + std::pow(std::max(0.0, fused[i].x) / config_.offset_range, 2));
+    const double weight =
+        fused[i].confidence / (1 + std::pow(std::max(0.0, fused[i].x) / config_.offset_range, 2));
     offsets.emplace_back(fused[i].y - base.clothoid.y(fused[i].x), weight);
     correlation +=
         weight * (fused[i].track_id == kNoTrack ? config_.base.correlation : config_.base.track_correlation);

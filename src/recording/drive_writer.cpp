@@ -31,7 +31,9 @@ DriveInfo with_images(DriveInfo info, const Rig& rig) {
 class DriveWriter::Session {
  public:
   Session(const std::filesystem::path& path, const DriveInfo& info, Rig rig)
-      : file_(path.string()), topics_(path, {RecordingHead::Kind::drive, with_images(info, rig), {}}), rig_(std::move(rig)) {}
+      : file_(path.string()),
+        topics_(path, {RecordingHead::Kind::drive, with_images(info, rig), {}}),
+        rig_(std::move(rig)) {}
 
   void write(const Measurement& measurement) {
     const Stamp& stamp = stamp_of(measurement);
