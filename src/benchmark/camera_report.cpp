@@ -102,12 +102,16 @@ std::string serial_text(const LaneTrackFigures& figures) {
 }
 
 std::string pose_text(const char* camera, const LaneTrackFigures& figures) {
-  return fmt::format(
-      "{}: pitch {:.3f} deg RMSE (95 % holds in {:.1f} %), yaw {:.3f} ({:.1f} %), roll {:.3f} ({:.1f} %); "
-      "vehicles nearer than 50 m: {:.1f} % found, {:.1f} % of the boxes true\n",
+  std::string text = fmt::format(
+      "{}: pitch {:.3f} deg RMSE (95 % holds in {:.1f} %), yaw {:.3f} ({:.1f} %), roll {:.3f} ({:.1f} %)\n",
       camera, figures.pitch.rmse() * kToDegrees, 100 * figures.pitch.coverage(),
       figures.yaw.rmse() * kToDegrees, 100 * figures.yaw.coverage(), figures.roll.rmse() * kToDegrees,
-      100 * figures.roll.coverage(), 100 * figures.vehicles_found.value(), 100 * figures.boxes_true.value());
+      100 * figures.roll.coverage());
+  if (figures.vehicles_found.of > 0) {
+    text += fmt::format("vehicles nearer than 50 m: {:.1f} % found, {:.1f} % of the boxes true\n",
+                        100 * figures.vehicles_found.value(), 100 * figures.boxes_true.value());
+  }
+  return text;
 }
 
 }  // namespace

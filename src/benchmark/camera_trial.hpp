@@ -20,6 +20,9 @@ struct CameraTrial {
   RoadKind road = RoadKind::gentle;
   ImageConditions conditions = ImageConditions::clear;
   double settle_s = 4;  ///< [s] at the beginning in which nothing is judged: calibration learns
+  /// Whether the cameras are told of the vehicles that the car's object fusion tracks, as in any drive of the
+  /// preset. Without, they have the vehicles that they find themselves, and those are judged, too.
+  bool objects = true;
   LaneCameraConfig camera;
 };
 

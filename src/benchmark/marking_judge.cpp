@@ -13,7 +13,7 @@ constexpr double kFarthest = 130;    ///< [m] up to which features are promised
 constexpr double kNearest = 8;       ///< [m]
 constexpr double kAside = 12;        ///< [m] to either side up to which lines are asked for
 constexpr double kStep = 2;          ///< [m] between the pieces of paint that are to be found
-constexpr double kSamePaint_px = 6;  ///< a bar's centre further off is none of this line
+constexpr double kSamePaint = 6;     ///< a bar's centre further off is none of this line
 constexpr double kSameLine = 1;      ///< [m] the same for a feature
 constexpr double kPartOfDash = 0.3;  ///< [m] of paint that make a bar true
 
@@ -56,7 +56,7 @@ JudgedBar judged(const Scene& scene, const ImageTruth& truth, const std::vector<
     const double error = centre - place->column;
     result.distance = std::max(result.distance, place->ground.x());
     if (std::abs(error) >= std::abs(result.error_px)) continue;
-    const bool near = std::abs(error) <= std::max(kSamePaint_px, (place->right - place->left) / 2);
+    const bool near = std::abs(error) <= std::max(kSamePaint, (place->right - place->left) / 2);
     const bool paint = near && painted_near(*scene.road, *place, row_footprint(truth, *place));
     result = {bar.row, near ? line : -1, place->station, error, place->ground.x(), paint};
   }

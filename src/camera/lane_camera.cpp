@@ -98,6 +98,9 @@ void LaneCamera::believe(const LaneTrack& track) {
   view_.pose.covariance.row(2).setZero();
   view_.pose.covariance.col(2).setZero();
   view_.pose.covariance(2, 2) = sigma * sigma;
+  // No image shows its own roll: the calibration knows the mean, and the body sways about it.
+  const double sway = config_.calibration.body_roll_sigma;
+  view_.pose.covariance(1, 1) += sway * sway;
   view_.pose.vertical_curvature = tracked ? track.vertical_curvature : 0;
   view_.pose.vertical_curvature_sigma =
       tracked ? track.vertical_curvature_sigma : config_.tracker.vertical_curvature_sigma;

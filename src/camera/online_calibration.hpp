@@ -15,7 +15,7 @@ namespace lanefuse {
 
 struct OnlineCalibrationConfig {
   // How well the rig's mounting is known.
-  double height_sigma = 0.03;  ///< [m]
+  double height_sigma = 0.02;  ///< [m]
   double roll_sigma = 0.005;   ///< [rad]
   double pitch_sigma = 0.010;  ///< [rad]
   double yaw_sigma = 0.007;    ///< [rad]

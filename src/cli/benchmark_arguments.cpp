@@ -89,6 +89,9 @@ void add_cameras(CLI::App& benchmark, CommandLine& line) {
       ->check(CLI::Range(0.2, 100.0))
       ->capture_default_str();
   command.add_option("--jobs", options.jobs, "drives at a time, else one a core")->check(CLI::Range(1, 4096));
+  command.add_flag_callback(
+      "--no-objects", [&options] { options.objects = false; },
+      "without the car's object list: vehicles found in the images hide the road, and are judged");
   finish(command, line, options, benchmark_cameras);
 }
 

@@ -34,6 +34,7 @@ std::vector<CameraTrial> trials_of(const CameraBenchmarkOptions& options) {
       CameraTrial trial;
       trial.seed = seed;
       trial.km = options.km;
+      trial.objects = options.objects;
       trial.road = options.road == "curved" ? RoadKind::curved : RoadKind::gentle;
       trial.conditions = conditions_named(name);
       trials.push_back(trial);

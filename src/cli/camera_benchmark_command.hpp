@@ -14,6 +14,7 @@ struct CameraBenchmarkOptions {
   std::string road = "gentle";
   std::string seeds = "1";
   double km = 0.5;
+  bool objects = true;
   std::size_t jobs = 0;  ///< at a time; 0: one a core
   bool json = false;
   bool force = false;
