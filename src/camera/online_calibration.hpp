@@ -15,16 +15,16 @@ namespace lanefuse {
 
 struct OnlineCalibrationConfig {
   // How well the rig's mounting is known.
-  double height_sigma = 0.02;  ///< [m]
-  double roll_sigma = 0.005;   ///< [rad]
-  double pitch_sigma = 0.010;  ///< [rad]
-  double yaw_sigma = 0.007;    ///< [rad]
+  double height_sigma = 0.015;  ///< [m]
+  double roll_sigma = 0.003;    ///< [rad]
+  double pitch_sigma = 0.010;   ///< [rad]
+  double yaw_sigma = 0.007;     ///< [rad]
   // How the car moves on its springs and tyres, which is no change of the camera.
   double body_pitch_sigma = 0.0045;  ///< [rad]
   double body_pitch_tau = 0.3;       ///< [s]
   double body_roll_sigma = 0.0026;   ///< [rad]
   double body_roll_tau = 0.5;        ///< [s]
-  double slip_sigma = 0.0015;        ///< [rad] between where the car points and where it goes
+  double slip_sigma = 0.001;         ///< [rad] between where the car points and where it goes
   double slip_lever = 1.5;           ///< [m] times the curvature driven is further slip
   /// How much neighbouring lanes differ in width [m]: what limits the roll.
   double lane_difference_sigma = 0.08;

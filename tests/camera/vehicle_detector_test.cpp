@@ -29,7 +29,8 @@ void fill(Image& image, const Eigen::Vector4i& box, int grey) {
   }
 }
 
-/// The rear of a car at x, y: bright body, dark window, lamps, plate and the shadow under it.
+/// The rear of a car at x, y: bright body, dark window, lamps, a lettered plate, the bumper's trim and the
+/// shadow under it.
 Eigen::Vector4i paint_car(Image& image, double x, double y) {
   const CameraModel camera(kCamera);
   const GroundProjection projection(camera, pose_of_camera());
@@ -46,6 +47,11 @@ Eigen::Vector4i paint_car(Image& image, double x, double y) {
   fill(image,
        {box[0] + width * 2 / 5, box[1] + height * 6 / 10, box[2] - width * 2 / 5, box[1] + height * 7 / 10},
        130);
+  for (int letter = 0; letter < 3; ++letter) {
+    const int left = box[0] + width * (84 + 12 * letter) / 200;
+    fill(image, {left, box[1] + height * 62 / 100, left + width / 33, box[1] + height * 68 / 100}, 30);
+  }
+  fill(image, {box[0], box[1] + height * 76 / 100, box[2], box[1] + height * 80 / 100}, 60);
   fill(image, {box[0], box[3] - std::max(2, height / 8), box[2], box[3]}, 15);
   return box;
 }
