@@ -58,6 +58,7 @@ struct Feature {
   Source source = Source::user;
   Side side = Side::none;
   MarkingEvidence marking;
+  bool changing_lane = false;  ///< its witness is between two lanes: nothing is smooth along its trail
 };
 
 /// Which boundary of the ego lane a serial camera's clothoid describes, with what the camera knows of it.

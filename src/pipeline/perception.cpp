@@ -23,6 +23,7 @@ struct ItemCount {
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
   std::uint64_t operator()(const GnssInsFix&) const { return 0; }
   std::uint64_t operator()(const CameraImage&) const { return 1; }
+  std::uint64_t operator()(const CameraBoxes& boxes) const { return boxes.boxes.size(); }
 };
 
 std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
@@ -52,6 +53,7 @@ struct Bound {
   std::size_t features;
   std::uint64_t operator()(RadarScan& scan) const { return cut(scan.detections, objects); }
   std::uint64_t operator()(ObjectList& list) const { return cut(list.objects, objects); }
+  std::uint64_t operator()(CameraBoxes& boxes) const { return cut(boxes.boxes, objects); }
   std::uint64_t operator()(MarkingFeatures& markings) const { return cut(markings.features, features); }
   std::uint64_t operator()(auto&) const { return 0; }
   static std::uint64_t cut(auto& list, std::size_t bound) {
@@ -223,6 +225,8 @@ void MultiLanePerception::judge_cameras(LaneEstimate& estimate) const {
     estimate.reason = bumped ? StatusReason::camera_bumped : StatusReason::image_fault;
   }
 }
+
+std::span<const TrackedObject> MultiLanePerception::objects() const { return {}; }
 
 void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
   for (int i = 0; i < kSourceCount; ++i) {

@@ -52,6 +52,10 @@ class MultiLanePerception {
   /// What the cameras saw in the images that the last cycle took in.
   [[nodiscard]] std::span<const CameraView> camera_views() const { return images_.views(); }
 
+  /// The vehicles that the last cycle tracked, in the vehicle frame at its time: from detections by the own
+  /// tracker, else as an object list gave them.
+  [[nodiscard]] std::span<const TrackedObject> objects() const;
+
   /// Lets the caller time the stages: called when one ends.
   void on_stage(LaneEstimator::StageListener listener);
 

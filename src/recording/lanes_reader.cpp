@@ -6,6 +6,7 @@
 #include "recording/camera_view_codec.hpp"
 #include "recording/debug_view_codec.hpp"
 #include "recording/lane_estimate_codec.hpp"
+#include "recording/object_codec.hpp"
 #include "recording/topic_reader.hpp"
 #include "recording/topics.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 bool is_read(std::string_view topic) {
   return topic == topic::kLanes || topic == topic::kFusedFeatures || topic == topic::kSwitches ||
-         topic == topic::kRoadCourse || topic == topic::kCameraView;
+         topic == topic::kRoadCourse || topic == topic::kCameraView || topic == topic::kTrackedObjects;
 }
 
 }  // namespace
@@ -31,6 +32,7 @@ class LanesReader::Session {
   bool next(LaneRecord& record) {
     record.debug = {};
     record.cameras.clear();
+    record.objects.clear();
     features_.clear();
     Time debug_time{};
     while (topics_.next()) {
@@ -38,6 +40,7 @@ class LanesReader::Session {
       if (topics_.log_time() != debug_time) {
         record.debug = {};
         record.cameras.clear();
+        record.objects.clear();
         features_.clear();
       }
       debug_time = topics_.log_time();
@@ -63,6 +66,7 @@ class LanesReader::Session {
     if (topic == topic::kFusedFeatures && defer_features_) features_ = bytes;
     if (topic == topic::kFusedFeatures && !defer_features_) decode_fused_features(bytes, record.debug);
     if (topic == topic::kCameraView) record.cameras.push_back(decode_camera_view(bytes));
+    if (topic == topic::kTrackedObjects) record.objects = decode_objects(bytes, {}).objects;
     if (topic == topic::kSwitches) decode_switches(bytes, record.debug);
     if (topic == topic::kRoadCourse) decode_road_course(bytes, record.debug);
     if (topic != topic::kLanes) return false;

@@ -11,14 +11,16 @@
 #include "recording/run_info.hpp"
 #include "sensors/camera_view.hpp"
 #include "sensors/drive.hpp"
+#include "sensors/measurement.hpp"
 
 namespace lanefuse {
 
 /// One recorded cycle.
 struct LaneRecord {
   LaneEstimate estimate;
-  DebugView debug;                  ///< empty where the recording has lost it
-  std::vector<CameraView> cameras;  ///< what the cameras saw since the cycle before
+  DebugView debug;                     ///< empty where the recording has lost it
+  std::vector<CameraView> cameras;     ///< what the cameras saw since the cycle before
+  std::vector<TrackedObject> objects;  ///< tracked vehicles, in the vehicle frame of this cycle
 };
 
 /// Replays recorded lanes, in order of time.

@@ -5,6 +5,7 @@
 #include "recording/camera_view_codec.hpp"
 #include "recording/debug_view_codec.hpp"
 #include "recording/lane_estimate_codec.hpp"
+#include "recording/object_codec.hpp"
 #include "recording/topic_writer.hpp"
 #include "recording/topics.hpp"
 #include "recording/viewer_codec.hpp"
@@ -16,10 +17,15 @@ class LanesWriter::Session {
   Session(const std::filesystem::path& path, const DriveInfo& drive, const RunInfo& run)
       : topics_(path, {RecordingHead::Kind::lanes, drive, run}) {}
 
-  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras) {
+  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras,
+             std::span<const TrackedObject> objects) {
     const Time time = estimate.time;
     for (const CameraView& view : cameras) {
       topics_.write({topic::kCameraView, view.sensor_id}, view.measured_at, time, encode_camera_view(view));
+    }
+    if (!objects.empty()) {
+      const ObjectList list{{time, time, 0}, {objects.begin(), objects.end()}};
+      topics_.write({topic::kTrackedObjects}, time, encode_objects(list));
     }
     topics_.write({topic::kFusedFeatures}, time, encode_fused_features(debug));
     topics_.write({topic::kSwitches}, time, encode_switches(debug));
@@ -52,8 +58,8 @@ LanesWriter::LanesWriter(LanesWriter&&) noexcept = default;
 LanesWriter& LanesWriter::operator=(LanesWriter&&) noexcept = default;
 
 void LanesWriter::write(const LaneEstimate& estimate, const DebugView& debug,
-                        std::span<const CameraView> cameras) {
-  session_->write(estimate, debug, cameras);
+                        std::span<const CameraView> cameras, std::span<const TrackedObject> objects) {
+  session_->write(estimate, debug, cameras, objects);
 }
 void LanesWriter::close() { session_->close(); }
 

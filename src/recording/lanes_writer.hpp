@@ -10,6 +10,7 @@
 #include "recording/run_info.hpp"
 #include "sensors/camera_view.hpp"
 #include "sensors/drive.hpp"
+#include "sensors/measurement.hpp"
 
 namespace lanefuse {
 
@@ -22,9 +23,10 @@ class LanesWriter {
   LanesWriter(LanesWriter&&) noexcept;
   LanesWriter& operator=(LanesWriter&&) noexcept;
 
-  /// One cycle, with what the cameras saw since the one before; in order of time. Throws Error (input) where
-  /// the time lies before 1970 or the disk fails.
-  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras = {});
+  /// One cycle, with what the cameras saw since the one before and the vehicles tracked; in order of time.
+  /// Throws Error (input) where the time lies before 1970 or the disk fails.
+  void write(const LaneEstimate& estimate, const DebugView& debug, std::span<const CameraView> cameras = {},
+             std::span<const TrackedObject> objects = {});
 
   void close();
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/measurement_codec.hpp"
 
+#include "recording/camera_boxes_codec.hpp"
 #include "recording/camera_codec.hpp"
 #include "recording/gnss_ins_codec.hpp"
 #include "recording/image_codec.hpp"
@@ -35,6 +36,9 @@ struct Encoder {
   Messages operator()(const CameraImage& image) const {
     return {{topic::kImage, encode_camera_image(image)}};
   }
+  Messages operator()(const CameraBoxes& boxes) const {
+    return {{topic::kCameraBoxes, encode_camera_boxes(boxes)}};
+  }
 };
 
 template <auto decode>
@@ -56,6 +60,7 @@ MeasurementDecoder decoder_of(std::string_view topic) {
   if (topic == topic::kRadar) return &decoded<decode_radar_scan>;
   if (topic == topic::kObjects) return &decoded<decode_objects>;
   if (topic == topic::kGnssIns) return &decoded<decode_gnss_ins>;
+  if (topic == topic::kCameraBoxes) return &decoded<decode_camera_boxes>;
   if (topic == topic::kImage) return &decoded<decode_camera_image>;
   return nullptr;
 }

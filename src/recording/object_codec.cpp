@@ -53,6 +53,15 @@ void put_rear(const TrackedObject& object, v1::RearState& message) {
   message.set_y(object.y);
   message.set_speed(object.speed);
   put_covariance<3>(object.covariance, *message.mutable_covariance());
+  if (object.last_radar) message.set_last_radar(object.last_radar->time_since_epoch().count());
+  if (object.last_camera) message.set_last_camera(object.last_camera->time_since_epoch().count());
+  message.set_changing_lane(object.changing_lane);
+  message.set_witness(object.witness);
+}
+
+std::optional<Time> time_of(bool known, std::int64_t nanoseconds) {
+  if (!known) return {};
+  return from_nanoseconds(nanoseconds);
 }
 
 void put(const TrackedObject& object, Detected& message) {
@@ -83,7 +92,11 @@ TrackedObject take(const Detected& message) {
           .movement = movement(message.movement_state()),
           .existence = message.header().existence_probability(),
           .seen_by_radar = message.has_radar_specifics(),
-          .seen_by_camera = message.has_camera_specifics()};
+          .seen_by_camera = message.has_camera_specifics(),
+          .last_radar = time_of(rear.has_last_radar(), rear.last_radar()),
+          .last_camera = time_of(rear.has_last_camera(), rear.last_camera()),
+          .changing_lane = rear.changing_lane(),
+          .witness = rear.witness()};
 }
 
 }  // namespace

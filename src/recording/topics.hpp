@@ -15,6 +15,7 @@ inline constexpr char kSerialCamera[] = "/in/serial_camera";
 inline constexpr char kHighResolutionCamera[] = "/in/high_resolution_camera";
 inline constexpr char kRadar[] = "/in/radar";
 inline constexpr char kObjects[] = "/in/objects";
+inline constexpr char kCameraBoxes[] = "/in/camera_boxes";
 inline constexpr char kGnssIns[] = "/in/gnss_ins";
 inline constexpr char kImage[] = "/in/image";
 inline constexpr char kCameraCalibration[] = "/in/camera_calibration";
@@ -26,6 +27,7 @@ inline constexpr char kSwitches[] = "/out/switches";
 inline constexpr char kRoadCourse[] = "/out/road_course";
 inline constexpr char kScene[] = "/out/scene";
 inline constexpr char kCameraView[] = "/out/camera_view";
+inline constexpr char kTrackedObjects[] = "/out/objects";
 inline constexpr char kStatus[] = "/out/status";
 
 inline constexpr char kTrueRoad[] = "/truth/road";

@@ -65,6 +65,7 @@ struct Plausibility {
   std::optional<std::string> operator()(const RadarScan&) const { return {}; }
   std::optional<std::string> operator()(const ObjectList&) const { return {}; }
   std::optional<std::string> operator()(const CameraImage&) const { return {}; }
+  std::optional<std::string> operator()(const CameraBoxes&) const { return {}; }
   std::optional<std::string> operator()(const GnssInsFix& fix) const {
     const bool on_earth = std::abs(fix.latitude) <= std::numbers::pi / 2 &&
                           std::abs(fix.longitude) <= std::numbers::pi && is_within(fix.height, 1e5);
@@ -129,6 +130,13 @@ bool is_plausible(const TrackedObject& object) {
 bool is_plausible(const RadarDetection& detection) {
   return detection.range > 0 && detection.range < kFarthest && std::abs(detection.bearing) <= 3.15 &&
          is_within(detection.range_rate, 300);
+}
+
+bool is_plausible(const BoxDetection& box) {
+  constexpr double kLargestImage = 65536;  // [px]
+  return is_within(box.left, kLargestImage) && is_within(box.right, kLargestImage) &&
+         is_within(box.top, kLargestImage) && is_within(box.bottom, kLargestImage) && box.left < box.right &&
+         box.top < box.bottom && box.confidence >= 0 && box.confidence <= 1;
 }
 
 }  // namespace lanefuse

@@ -85,6 +85,11 @@ struct TrackedObject {
   double existence = 1;         ///< probability in [0, 1]
   bool seen_by_radar = false;   ///< verified by at least one radar measurement
   bool seen_by_camera = false;  ///< verified by at least one camera measurement
+  // What only our own tracker says:
+  std::optional<Time> last_radar = {};   ///< when a radar measured it last
+  std::optional<Time> last_camera = {};  ///< when a camera measured it last
+  bool changing_lane = false;            ///< on its way between two lanes: no witness of either
+  bool witness = false;                  ///< bore witness of its lane in this cycle
 };
 
 struct ObjectList {
@@ -115,9 +120,25 @@ struct CameraImage {
   std::vector<std::byte> bytes;  ///< judged only when they are decoded
 };
 
+/// A vehicle's box in an image: columns and rows in pixels of the raw (distorted) image, whose camera the rig
+/// describes.
+struct BoxDetection {
+  double left = 0;
+  double top = 0;
+  double right = 0;
+  double bottom = 0;      ///< where its wheels stand
+  double confidence = 1;  ///< in [0, 1]
+};
+
+/// The vehicles that a camera found in one image.
+struct CameraBoxes {
+  Stamp stamp;
+  std::vector<BoxDetection> boxes;
+};
+
 /// Anything that a drive's sensors gave. The order is kept: only append.
-using Measurement =
-    std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList, GnssInsFix, CameraImage>;
+using Measurement = std::variant<VehicleMotion, SerialLane, MarkingFeatures, RadarScan, ObjectList,
+                                 GnssInsFix, CameraImage, CameraBoxes>;
 
 const Stamp& stamp_of(const Measurement& measurement);
 
@@ -131,5 +152,6 @@ bool is_plausible(const Feature& feature);
 bool is_plausible(const ClothoidMeasurement& measurement);
 bool is_plausible(const TrackedObject& object);
 bool is_plausible(const RadarDetection& detection);
+bool is_plausible(const BoxDetection& box);
 
 }  // namespace lanefuse

@@ -15,7 +15,7 @@ const SensorDescription* Rig::find(std::uint32_t id) const {
 bool Rig::has_camera() const {
   return std::any_of(sensors.begin(), sensors.end(), [](const auto& sensor) {
     return sensor.kind == SensorKind::serial_camera || sensor.kind == SensorKind::high_resolution_camera ||
-           sensor.kind == SensorKind::camera;
+           sensor.kind == SensorKind::camera || sensor.kind == SensorKind::object_camera;
   });
 }
 
@@ -37,6 +37,8 @@ const char* to_string(SensorKind kind) {
       return "gnss_ins";
     case SensorKind::camera:
       return "camera";
+    case SensorKind::object_camera:
+      return "object_camera";
   }
   return "unknown";
 }

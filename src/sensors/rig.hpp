@@ -20,6 +20,7 @@ enum class SensorKind : std::uint8_t {
   object_fusion = 5,  ///< a production fusion that hands over tracked objects
   gnss_ins = 6,
   camera = 7,  ///< one camera whose images serve both as the serial and as the high-resolution camera's
+  object_camera = 8,  ///< a camera that hands over boxes of vehicles; `camera` describes its lens
 };
 const char* to_string(SensorKind kind);
 
@@ -41,7 +42,7 @@ struct SensorDescription {
   SensorKind kind = SensorKind::odometry;
   std::string name;
   Mounting mounting;
-  std::optional<CameraIntrinsics> camera = {};  ///< of cameras that hand over images
+  std::optional<CameraIntrinsics> camera = {};  ///< of cameras that hand over images or boxes
   friend bool operator==(const SensorDescription&, const SensorDescription&) = default;
 };
 

@@ -28,6 +28,8 @@ struct SimulationConfig {
   bool serial_camera = true;
   bool high_resolution_camera = true;
   bool objects = true;
+  bool detections = false;  ///< radars' reflections and a camera's boxes instead of the object list
+  std::optional<int> guard_rail_mirrors;   ///< most ghosts beside guard rails a scan; else the preset's
   bool gnss_ins = false;                   ///< only for surveys; the drive then says where on Earth it is
   std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
   std::optional<int> ego_lane;             ///< to start in, from the left, from zero; else the middle one
