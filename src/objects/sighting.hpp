@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -24,10 +26,10 @@ struct Sighting {
   double bearing_sigma = 1;  ///< [rad]
   /// [m/s] along the line of sight, positive away, as measured: the sensor's own motion is in it.
   std::optional<double> range_rate = {};
-  double range_rate_sigma = 0.1;     ///< [m/s]
-  std::optional<double> width = {};  ///< [m] of the vehicle, where the sensor sees both of its sides
-  double width_sigma = 0.3;          ///< [m]
-  double confidence = 1;             ///< in [0, 1]
+  double range_rate_sigma = 0.1;  ///< [m/s]
+  /// [rad] that it spans, where the sensor sees both of its sides.
+  std::optional<double> angular_width = {};
+  double confidence = 1;  ///< in [0, 1]
   /// Some radars track inside: the slot that this was filed under, unless the slot was just taken anew.
   std::optional<std::int32_t> address = {};
 };
@@ -36,8 +38,17 @@ struct Sighting {
 struct SensorField {
   double range = 200;          ///< [m]
   double half_angle = 3;       ///< [rad] to either side of its x axis
+  double near_range = 0;       ///< [m] up to which its field is wider
+  double near_half_angle = 3;  ///< [rad]
   double detection = 0.9;      ///< probability that it reports a vehicle in its field
   double detection_far = 0.9;  ///< the same at `range`; in between it falls linearly
+
+  [[nodiscard]] bool contains(double at_range, double bearing) const {
+    return at_range < range && std::abs(bearing) < (at_range < near_range ? near_half_angle : half_angle);
+  }
+  [[nodiscard]] double detection_at(double at_range) const {
+    return detection + (detection_far - detection) * std::clamp(at_range / range, 0.0, 1.0);
+  }
 };
 
 /// One look of one sensor.
