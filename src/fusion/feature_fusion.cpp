@@ -163,6 +163,10 @@ void FeatureFusion::tie(const FeatureSet& set) {
 }
 
 void FeatureFusion::smooth(const Feature& feature, VertexId vertex) {
+  if (feature.changing_lane) {
+    last_of_track_.erase({feature.track_id, feature.side});
+    return;
+  }
   const auto [entry, is_new] = last_of_track_.try_emplace({feature.track_id, feature.side}, vertex);
   const VertexId previous = std::exchange(entry->second, vertex);
   if (is_new || previous == vertex) return;

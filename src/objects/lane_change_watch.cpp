@@ -13,11 +13,11 @@ namespace {
 using Course = Gaussian<3>;  ///< heading [rad], curvature [1/m], its change [1/m^2]
 using Row = Eigen::Matrix<double, 1, 3>;
 
-constexpr double kHeadingSigma = 0.02;         ///< [rad] of our own heading against the road
-constexpr double kCurvatureSigma = 1 / 600.0;  ///< [1/m]
-constexpr double kChangeSigma = 1e-5;          ///< [1/m^2]
-constexpr double kDriverSigma = 0.006;         ///< [rad] of drivers about the road's direction
-constexpr double kReach = 160;                 ///< [m]
+constexpr double kHeadingSigma = 0.02;    ///< [rad] of our own heading against the road
+constexpr double kCurvatureSigma = 5e-4;  ///< [1/m] of the road against our own way
+constexpr double kChangeSigma = 1e-5;     ///< [1/m^2]
+constexpr double kDriverSigma = 0.006;    ///< [rad] of drivers about the road's direction
+constexpr double kReach = 160;            ///< [m]
 
 Row row_at(double x) { return {1, x, x * x / 2}; }
 
@@ -40,8 +40,9 @@ std::optional<LaneChangeWatch::Witness> LaneChangeWatch::witness(const ObjectTra
 }
 
 /// Twice: the second time without those that stood out.
-Gaussian<3> LaneChangeWatch::course() const {
+Gaussian<3> LaneChangeWatch::course(double own_curvature) const {
   Course prior;
+  prior.mean << 0, own_curvature, 0;
   prior.covariance = Eigen::Vector3d(kHeadingSigma, kCurvatureSigma, kChangeSigma).cwiseAbs2().asDiagonal();
   Course course = prior;
   for (int round = 0; round < 2; ++round) {
@@ -61,15 +62,15 @@ Gaussian<3> LaneChangeWatch::course() const {
   return course;
 }
 
-void LaneChangeWatch::look(const Pose2& odometry_from_vehicle, double seconds,
-                           const ObjectTrackerConfig& config, std::span<ObjectTrack> tracks) {
-  const Pose2 vehicle_from_odometry = odometry_from_vehicle.inverse();
+void LaneChangeWatch::look(const SightingSet& look, double seconds, const ObjectTrackerConfig& config,
+                           std::span<ObjectTrack> tracks) {
+  const Pose2 vehicle_from_odometry = look.odometry_from_vehicle.inverse();
   witnesses_.clear();
   for (const ObjectTrack& track : tracks) {
     if (const auto seen = witness(track, vehicle_from_odometry, config.min_speed))
       witnesses_.push_back(*seen);
   }
-  const Course course = this->course();
+  const Course course = this->course(look.own_curvature);
   for (ObjectTrack& track : tracks) {
     const auto seen = witness(track, vehicle_from_odometry, config.min_speed);
     if (!seen) continue;

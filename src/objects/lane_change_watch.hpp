@@ -17,7 +17,7 @@ namespace lanefuse {
 class LaneChangeWatch {
  public:
   /// `seconds` since the last call.
-  void look(const Pose2& odometry_from_vehicle, double seconds, const ObjectTrackerConfig& config,
+  void look(const SightingSet& look, double seconds, const ObjectTrackerConfig& config,
             std::span<ObjectTrack> tracks);
 
  private:
@@ -30,7 +30,7 @@ class LaneChangeWatch {
 
   static std::optional<Witness> witness(const ObjectTrack& track, const Pose2& vehicle_from_odometry,
                                         double min_speed);
-  [[nodiscard]] Gaussian<3> course() const;
+  [[nodiscard]] Gaussian<3> course(double own_curvature) const;
 };
 
 }  // namespace lanefuse

@@ -38,8 +38,9 @@ struct ObjectTrack {
   double odds = 0;           ///< log odds that it exists
   int hits = 0;              ///< looks in which it was seen
   bool confirmed = false;
-  bool has_moved = false;  ///< has been seen driving: what stands then is a vehicle that stopped
-  bool refused = false;    ///< a mirror image, or nothing where a camera should see a vehicle
+  bool has_moved = false;   ///< has been seen driving: what stands then is a vehicle that stopped
+  bool refused = false;     ///< a mirror image, or nothing where a camera should see a vehicle
+  bool superseded = false;  ///< an older track follows the same vehicle
   Time last_seen{};
   Time last_due{};  ///< the last look in which it should have been seen, or was
   Verification radar;

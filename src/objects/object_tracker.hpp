@@ -31,7 +31,7 @@ class ObjectTracker {
   bool add(const SightingSet& look);
 
   /// The confirmed tracks, moved on to `time`, in the vehicle frame: driving vehicles, vehicles that stopped,
-  /// and standing ones that a camera has verified. `own_curvature` [1/m] is that of our own way.
+  /// and standing ones that a camera has verified.
   void write(Time time, const Pose2& odometry_from_vehicle, std::vector<TrackedObject>& objects) const;
 
   void reset();

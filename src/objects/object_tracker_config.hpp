@@ -16,6 +16,7 @@ struct ObjectTrackerConfig {
   double depth = 0.25;               ///< [m] of single reflections, along the vehicle
   double start_sigma_across = 0.7;   ///< [m/s] of a new track's speed across our own heading
   double start_sigma_along = 40;     ///< [m/s] along it
+  double misalignment_deg = 0.08;    ///< [deg] that all of a sensor's looks share
   double ego_yaw_deg = 0.1;          ///< [deg/sqrt(s)] by which our own dead reckoning turns away
   // Which sighting belongs to which track.
   double gate = 14;              ///< squared Mahalanobis distance

@@ -58,6 +58,8 @@ struct SightingSet {
   SightingKind kind = SightingKind::radar;
   Pose2 odometry_from_sensor;
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< [m/s] of the sensor over ground, odometry frame
+  Pose2 odometry_from_vehicle;
+  double own_curvature = 0;  ///< [1/m] of our own way
   SensorField field;
   std::vector<Sighting> sightings;
 };

@@ -80,7 +80,6 @@ std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& co
   if (config.high_resolution_camera.enabled) {
     sources.push_back(std::make_unique<HighResolutionCameraSource>(config.high_resolution_camera));
   }
-  if (config.objects.enabled) sources.push_back(std::make_unique<ObjectSource>(config.objects));
   if (config.ego_path.enabled) sources.push_back(std::make_unique<EgoPathSource>(config.ego_path));
   if (config.lane_segmentation.enabled) {
     sources.push_back(std::make_unique<LaneSegmentationSource>(config.lane_segmentation));
@@ -98,7 +97,12 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig
       dead_reckoning_(config.sources.odometry),
       images_(config.sources.images),
       sources_(make_sources(config.sources)),
-      estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {}
+      estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {
+  if (!config.sources.objects.enabled) return;
+  auto objects = std::make_unique<ObjectSource>(config.sources.objects);
+  objects_ = objects.get();
+  sources_.push_back(std::move(objects));
+}
 
 void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
   stage_done_ = listener;
@@ -226,7 +230,9 @@ void MultiLanePerception::judge_cameras(LaneEstimate& estimate) const {
   }
 }
 
-std::span<const TrackedObject> MultiLanePerception::objects() const { return {}; }
+std::span<const TrackedObject> MultiLanePerception::objects() const {
+  return objects_ ? objects_->objects() : std::span<const TrackedObject>{};
+}
 
 void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
   for (int i = 0; i < kSourceCount; ++i) {

@@ -81,6 +81,7 @@ class MultiLanePerception {
   LaneWidthFilter lane_width_;
   CameraImages images_;
   std::vector<std::unique_ptr<FeatureSource>> sources_;
+  const ObjectSource* objects_ = nullptr;  ///< one of them, if it is enabled
   std::unique_ptr<LaneEstimator> estimator_;
   LaneEstimator::StageListener stage_done_ = [](Stage) {};
 

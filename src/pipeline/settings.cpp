@@ -61,26 +61,62 @@ void add_witness(const Section& s, WitnessConfig& c) {
   add_width(s, c.default_width);
 }
 
-void add_radar_tracker(const Section& s, RadarTrackerConfig& c) {
-  s.add("sigma_range", c.sigma_range, kSigma, "m", "of a reflection, with its wander along the vehicle");
-  s.add("sigma_bearing_deg", c.sigma_bearing_deg, kDegrees, "deg", "of a reflection");
-  s.add("sigma_lateral", c.sigma_lateral, {0.0, 5.0}, "m", "wander of the reflection across the rear");
-  s.add("sigma_range_rate", c.sigma_range_rate, kSigma, "m/s", "of a reflection");
+void add_tracker(const Section& s, ObjectTrackerConfig& c) {
   s.add("acceleration_along", c.acceleration_along, kSigma, "m/s^2/sqrt(Hz)",
         "process noise along the motion");
   s.add("acceleration_across", c.acceleration_across, kSigma, "m/s^2/sqrt(Hz)",
         "process noise across the motion");
+  s.add("wander_sigma", c.wander_sigma, kSigma, "m", "wander of the reflecting point across the rear");
+  s.add("wander_tau", c.wander_tau, {0.01, 100.0}, "s", "for which it stays where it is");
+  s.add("scatter", c.scatter, kSigma, "m", "of single reflections across the rear");
+  s.add("depth", c.depth, kSigma, "m", "of single reflections along the vehicle");
+  s.add("start_sigma_across", c.start_sigma_across, kSigma, "m/s", "a new track's speed across the road");
+  s.add("misalignment_deg", c.misalignment_deg, kDegrees, "deg", "that all of a sensor's looks share");
+  s.add("ego_yaw_deg", c.ego_yaw_deg, kDegrees, "deg/sqrt(s)", "by which the dead reckoning turns away");
+  s.add("gate", c.gate, {1.0, 1000.0}, "", "squared Mahalanobis distance of a sighting to its track");
   s.add("same_along", c.same_along, {0.0, 20.0}, "m",
         "reflections of one scan this near along the sight are one vehicle");
   s.add("same_across", c.same_across, {0.0, 10.0}, "m", "and this near across it");
   s.add("same_range_rate", c.same_range_rate, {0.0, 20.0}, "m/s", "and this like in range rate");
-  s.add("gate", c.gate, {1.0, 1000.0}, "", "squared Mahalanobis distance of a reflection to its track");
-  s.add("start_sigma_across", c.start_sigma_across, kSigma, "m/s",
-        "a new track's speed across the line of sight");
-  s.add("confirm_hits", c.confirm_hits, {1, 100}, "", "scans before a track counts");
-  s.add("coast_s", c.coast_s, {0.0, 10.0}, "s", "a confirmed track lives on unseen");
-  s.add("tentative_coast_s", c.tentative_coast_s, {0.0, 10.0}, "s", "the same before it is confirmed");
+  s.add("hit_odds", c.hit_odds, {0.01, 20.0}, "", "log odds that a sighting adds to a track's existence");
+  s.add("miss_share", c.miss_share, kShare, "", "of a miss's log odds that count");
+  s.add("confirm_odds", c.confirm_odds, {-20.0, 20.0}, "", "log odds from which a track is reported");
+  s.add("confirm_hits", c.confirm_hits, {1, 100}, "", "looks that must have seen it before");
+  s.add("coast_s", c.coast_s, {0.0, 10.0}, "s", "a track lives on unseen where it should be seen");
+  s.add("hidden_coast_s", c.hidden_coast_s, {0.0, 60.0}, "s", "the same where it is hidden");
+  s.add("tentative_coast_s", c.tentative_coast_s, {0.0, 10.0}, "s", "the same before it is reported");
+  s.add("verified_odds", c.verified_odds, {0.0, 20.0}, "",
+        "log odds from which a kind of sensor verifies a track");
+  s.add("refused_odds", c.refused_odds, {-20.0, 0.0}, "", "below which it does no longer");
   s.add("min_speed", c.min_speed, {0.0, 50.0}, "m/s", "over ground: slower, a track stands");
+  s.add("change_speed", c.change_speed, {0.01, 10.0}, "m/s",
+        "across the road, from which a vehicle changes lane");
+  s.add("change_s", c.change_s, {0.0, 10.0}, "s", "for which it must go on");
+  s.add("window_s", c.window_s, {0.0, 1.0}, "s", "by which a look may come after later ones");
+}
+
+void add_radar(const Section& s, RadarConfig& c) {
+  s.add("sigma_range", c.sigma_range, kSigma, "m", "of a reflection");
+  s.add("sigma_bearing_deg", c.sigma_bearing_deg, kDegrees, "deg", "of a reflection");
+  s.add("sigma_range_rate", c.sigma_range_rate, kSigma, "m/s", "of a reflection");
+  s.add("range", c.range, kMetres, "m", "of its field");
+  s.add("field_deg", c.field_deg, {0.1, 360.0}, "deg", "whole opening");
+  s.add("near_range", c.near_range, kMetres, "m", "up to which it is wider");
+  s.add("near_field_deg", c.near_field_deg, {0.1, 360.0}, "deg", "whole opening there");
+  s.add("detection", c.detection, kShare, "", "probability that a vehicle in its field is in a scan");
+}
+
+void add_object_camera(const Section& s, ObjectCameraConfig& c) {
+  s.add("sigma_edge_px", c.sigma_edge_px, {0.05, 100.0}, "px", "of a box's sides");
+  s.add("sigma_base_px", c.sigma_base_px, {0.05, 100.0}, "px", "of its base line");
+  s.add("sigma_pitch_deg", c.sigma_pitch_deg, kDegrees, "deg", "of the car in one image");
+  s.add("sigma_yaw_deg", c.sigma_yaw_deg, kDegrees, "deg", "of the mounting");
+  s.add("vehicle_width", c.vehicle_width, {0.5, 5.0}, "m", "where nothing else is known");
+  s.add("vehicle_width_sigma", c.vehicle_width_sigma, kSigma, "m", "and how uncertain that is");
+  s.add("range", c.range, kMetres, "m", "of its field");
+  s.add("field_deg", c.field_deg, {0.1, 360.0}, "deg", "whole opening");
+  s.add("detection", c.detection, kShare, "", "probability that it boxes a vehicle near the car");
+  s.add("detection_far", c.detection_far, kShare, "", "the same at its range");
 }
 
 void add_sources(const Section& s, SourcesConfig& c) {
@@ -99,7 +135,10 @@ void add_sources(const Section& s, SourcesConfig& c) {
   const Section objects = s.section("objects");
   objects.add("enabled", c.objects.enabled, "whether other vehicles are used as witnesses");
   add_witness(objects.section("witness"), c.objects.witness);
-  add_radar_tracker(objects.section("radar_tracker"), c.objects.radar_tracker);
+  add_tracker(objects.section("tracker"), c.objects.tracker);
+  add_radar(objects.section("long_range_radar"), c.objects.sensors.long_range_radar);
+  add_radar(objects.section("short_range_radar"), c.objects.sensors.short_range_radar);
+  add_object_camera(objects.section("camera"), c.objects.sensors.camera);
   const Section ego = s.section("ego_path");
   ego.add("enabled", c.ego_path.enabled,
           "whether the car itself bears witness of its lane; not in the paper");

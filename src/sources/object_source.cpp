@@ -3,58 +3,76 @@
 #include "sources/object_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace lanefuse {
 namespace {
 
-/// How far the dead reckoning may be stretched to a scan's stamp.
+/// How far the dead reckoning may be stretched to a stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
 
-/// Where the radar was, and how fast it moved over ground with the car's turning: v + omega x lever arm.
-RadarTracker::Viewpoint viewpoint(const Mounting& mounting, const Pose2& odometry_from_vehicle,
-                                  const MotionSample& motion) {
-  const Pose2 vehicle_from_radar{mounting.x, mounting.y, mounting.yaw};
-  const Eigen::Vector2d velocity(motion.speed - motion.yaw_rate * mounting.y, motion.yaw_rate * mounting.x);
-  return {odometry_from_vehicle * vehicle_from_radar, rotation(odometry_from_vehicle.heading) * velocity};
+/// An object list older than this says nothing any more.
+constexpr Duration kOldestList = std::chrono::milliseconds(500);
+
+/// Straight on at its speed, seen from where the car is now.
+TrackedObject moved(TrackedObject object, double seconds, const Pose2& now_from_then) {
+  const Pose2 then{object.x + object.speed * seconds * std::cos(object.heading),
+                   object.y + object.speed * seconds * std::sin(object.heading), object.heading};
+  const Pose2 now = now_from_then * then;
+  object.x = now.x;
+  object.y = now.y;
+  object.heading = wrap_angle(now.heading);
+  object.covariance = rotate_covariance(object.covariance, now_from_then.heading);
+  return object;
+}
+
+/// Whether it was seen of late, as far as that is known: a track that is only carried on witnesses nothing.
+bool is_fresh(const TrackedObject& object, Time now) {
+  constexpr Duration kFresh = std::chrono::milliseconds(350);
+  if (!object.last_radar && !object.last_camera) return true;
+  const auto of_late = [&](const std::optional<Time>& seen) { return seen && now - *seen < kFresh; };
+  return of_late(object.last_radar) || of_late(object.last_camera);
 }
 
 }  // namespace
 
 InputAccounting ObjectSource::add(const Measurement& measurement, const SourceContext& context) {
   if (const auto* list = std::get_if<ObjectList>(&measurement)) return add_list(*list, context);
-  if (const auto* scan = std::get_if<RadarScan>(&measurement)) return add_scan(*scan, context);
+  if (const auto* scan = std::get_if<RadarScan>(&measurement)) {
+    return add_look(maker_.make(*scan, context, look_), scan->detections);
+  }
+  if (const auto* boxes = std::get_if<CameraBoxes>(&measurement)) {
+    return add_look(maker_.make(*boxes, context, look_), boxes->boxes);
+  }
   return {};
 }
 
-InputAccounting ObjectSource::add_list(const ObjectList& list, const SourceContext& context) {
-  std::vector<TrackedObject> good;
-  std::copy_if(list.objects.begin(), list.objects.end(), std::back_inserter(good),
-               [](const TrackedObject& object) { return is_plausible(object); });
-  bear_witness(good, list.stamp, context);
-  return {good.size(), list.objects.size() - good.size(), 0};
-}
-
-InputAccounting ObjectSource::add_scan(const RadarScan& scan, const SourceContext& context) {
-  RadarScan good{scan.stamp, {}};
-  std::copy_if(scan.detections.begin(), scan.detections.end(), std::back_inserter(good.detections),
-               [](const RadarDetection& detection) { return is_plausible(detection); });
-  InputAccounting accounting{0, scan.detections.size() - good.detections.size(), 0};
-  const SensorDescription* radar = context.rig.find(scan.stamp.sensor_id);
-  Pose2 odometry_from_vehicle;
-  const bool moved = !context.motion.empty() &&
-                     pose_at(context.motion, scan.stamp.measured_at, kReach, odometry_from_vehicle);
-  if (!radar || !moved ||
-      !tracker_.update(good, viewpoint(radar->mounting, odometry_from_vehicle, context.motion.back()))) {
-    accounting.dropped = good.detections.size();
-    return accounting;
+template <typename Detection>
+InputAccounting ObjectSource::add_look(bool made, const std::vector<Detection>& detections) {
+  const auto plausible = static_cast<std::size_t>(
+      std::count_if(detections.begin(), detections.end(),
+                    [](const Detection& detection) { return is_plausible(detection); }));
+  const bool taken = made && tracker_.add(look_);
+  const std::size_t used = taken ? look_.sightings.size() : 0;
+  if (taken) {
+    has_detections_ = true;
+    last_look_ = std::max(last_look_, look_.measured_at);
   }
-  accounting.used = good.detections.size();
-  bear_witness(tracker_.tracks(odometry_from_vehicle), scan.stamp, context);
-  return accounting;
+  return {used, detections.size() - plausible, plausible - used};
 }
 
-void ObjectSource::bear_witness(const std::vector<TrackedObject>& objects, const Stamp& stamp,
+InputAccounting ObjectSource::add_list(const ObjectList& list, const SourceContext& context) {
+  ObjectList good{list.stamp, {}};
+  std::copy_if(list.objects.begin(), list.objects.end(), std::back_inserter(good.objects),
+               [](const TrackedObject& object) { return is_plausible(object); });
+  bear_witness(good.objects, list.stamp, context);
+  const InputAccounting taken{good.objects.size(), list.objects.size() - good.objects.size(), 0};
+  last_list_ = std::move(good);
+  return taken;
+}
+
+void ObjectSource::bear_witness(std::span<const TrackedObject> objects, const Stamp& stamp,
                                 const SourceContext& context) {
   FeatureSet set;
   set.source = Source::objects;
@@ -69,14 +87,55 @@ void ObjectSource::bear_witness(const std::vector<TrackedObject>& objects, const
   pending_.push_back(std::move(set));
 }
 
-void ObjectSource::collect(Time, const SourceContext&, std::vector<FeatureSet>& sets) {
+void ObjectSource::collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) {
+  if (has_detections_) {
+    report_tracks(now, context);
+  } else {
+    report_list(now, context);
+  }
+  for (TrackedObject& object : objects_) {
+    object.witness = is_witness(object, config_.witness) && is_fresh(object, now);
+  }
+  has_detections_ = false;
   std::move(pending_.begin(), pending_.end(), std::back_inserter(sets));
   pending_.clear();
 }
 
+/// The tracks bear witness as of their last look: what came after it is for the fusion to say.
+void ObjectSource::report_tracks(Time now, const SourceContext& context) {
+  Pose2 then;
+  objects_.clear();
+  if (!pose_at(context.motion, last_look_, kReach, then)) return;
+  tracker_.write(last_look_, then, then_);
+  std::erase_if(then_, [&](const TrackedObject& object) { return !is_fresh(object, last_look_); });
+  bear_witness(then_, {last_look_, last_look_, 0}, context);
+  Pose2 odometry_from_vehicle;
+  if (pose_at(context.motion, now, kReach, odometry_from_vehicle)) {
+    tracker_.write(now, odometry_from_vehicle, objects_);
+  }
+}
+
+void ObjectSource::report_list(Time now, const SourceContext& context) {
+  objects_.clear();
+  if (!last_list_ || context.motion.empty() || now - last_list_->stamp.measured_at > kOldestList) return;
+  Pose2 then;
+  Pose2 here;
+  const Time measured_at = last_list_->stamp.measured_at;
+  if (!pose_at(context.motion, measured_at, kReach, then) || !pose_at(context.motion, now, kReach, here))
+    return;
+  const Pose2 now_from_then = here.inverse() * then;
+  for (const TrackedObject& object : last_list_->objects) {
+    objects_.push_back(moved(object, to_seconds(now - measured_at), now_from_then));
+  }
+}
+
 void ObjectSource::reset() {
   tracker_.reset();
+  last_list_.reset();
+  has_detections_ = false;
+  last_look_ = {};
   pending_.clear();
+  objects_.clear();
 }
 
 }  // namespace lanefuse

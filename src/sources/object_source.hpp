@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "objects/radar_tracker.hpp"
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "objects/object_tracker.hpp"
 #include "sources/feature_source.hpp"
+#include "sources/sighting_maker.hpp"
 #include "sources/witness.hpp"
 
 namespace lanefuse {
@@ -11,27 +16,42 @@ namespace lanefuse {
 struct ObjectSourceConfig {
   bool enabled = true;
   WitnessConfig witness;
-  RadarTrackerConfig radar_tracker;
+  ObjectTrackerConfig tracker;
+  SightingMakerConfig sensors;
 };
 
 /// Other vehicles as witnesses of their lanes [IROS16, sec. II-E4]: from the object lists of a production
-/// fusion, and from raw radar scans through a tracker of our own.
+/// fusion, and from radars' reflections and cameras' boxes through a tracker of our own.
 class ObjectSource final : public FeatureSource {
  public:
-  explicit ObjectSource(const ObjectSourceConfig& config) : config_(config), tracker_(config.radar_tracker) {}
+  explicit ObjectSource(const ObjectSourceConfig& config)
+      : config_(config), maker_(config.sensors), tracker_(config.tracker) {}
   InputAccounting add(const Measurement& measurement, const SourceContext& context) override;
   void collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) override;
   void reset() override;
 
- private:
-  InputAccounting add_list(const ObjectList& list, const SourceContext& context);
-  InputAccounting add_scan(const RadarScan& scan, const SourceContext& context);
-  void bear_witness(const std::vector<TrackedObject>& objects, const Stamp& stamp,
-                    const SourceContext& context);
+  /// The vehicles known in the last cycle, in the vehicle frame at its time: those of our own tracker, else
+  /// those of the last object list.
+  [[nodiscard]] std::span<const TrackedObject> objects() const { return objects_; }
 
+ private:
   ObjectSourceConfig config_;
-  RadarTracker tracker_;
+  SightingMaker maker_;
+  ObjectTracker tracker_;
+  SightingSet look_;
+  bool has_detections_ = false;  ///< since the last cycle
+  Time last_look_{};
+  std::optional<ObjectList> last_list_;
   std::vector<FeatureSet> pending_;
+  std::vector<TrackedObject> objects_;
+  std::vector<TrackedObject> then_;  ///< tracks at the time of the last look
+
+  InputAccounting add_list(const ObjectList& list, const SourceContext& context);
+  template <typename Detection>
+  InputAccounting add_look(bool made, const std::vector<Detection>& detections);
+  void report_tracks(Time now, const SourceContext& context);
+  void report_list(Time now, const SourceContext& context);
+  void bear_witness(std::span<const TrackedObject> objects, const Stamp& stamp, const SourceContext& context);
 };
 
 }  // namespace lanefuse

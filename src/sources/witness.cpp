@@ -11,6 +11,7 @@ namespace lanefuse {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kChanging = 0.3;  ///< of the confidence is left while a vehicle is between two lanes
 
 }  // namespace
 
@@ -39,7 +40,8 @@ void add_witness_features(const TrackedObject& object, const LaneWidth& width, c
     feature.x = object.x + offset * across.x();
     feature.y = object.y + offset * across.y();
     feature.heading = object.heading;
-    feature.confidence = config.confidence * object.existence;
+    feature.confidence = config.confidence * object.existence * (object.changing_lane ? kChanging : 1);
+    feature.changing_lane = object.changing_lane;
     feature.covariance = covariance;
     feature.source = Source::objects;
     feature.track_id = object.id;

@@ -24,6 +24,7 @@ struct Items {
   std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
   std::uint64_t operator()(const GnssInsFix&) const { return 0; }
   std::uint64_t operator()(const CameraImage&) const { return 1; }
+  std::uint64_t operator()(const CameraBoxes& boxes) const { return boxes.boxes.size(); }
 };
 
 /// What the accounting must add up to.
@@ -43,6 +44,7 @@ struct AddDamagedItem {
     insert(markings.features, Feature{kNotANumber, 0, 0, 0.5});
   }
   void operator()(RadarScan& scan) const { insert(scan.detections, RadarDetection{kNotANumber, 0, 0}); }
+  void operator()(CameraBoxes& boxes) const { insert(boxes.boxes, BoxDetection{kNotANumber, 0, 1, 1}); }
   void operator()(ObjectList& list) const { insert(list.objects, TrackedObject{77, 40, kNotANumber}); }
   static void insert(auto& list, auto damaged) {
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), damaged);

@@ -63,7 +63,8 @@ inline auto fields(const RadarDetection& d) {
 inline auto fields(const RadarScan& s) { return std::make_tuple(fields(s.stamp), all_fields(s.detections)); }
 inline auto fields(const TrackedObject& o) {
   return std::make_tuple(o.id, o.x, o.y, o.heading, o.speed, fields(o.covariance), o.length, o.width,
-                         o.movement, o.existence, o.seen_by_radar, o.seen_by_camera);
+                         o.movement, o.existence, o.seen_by_radar, o.seen_by_camera, o.last_radar,
+                         o.last_camera, o.changing_lane, o.witness);
 }
 inline auto fields(const ObjectList& l) { return std::make_tuple(fields(l.stamp), all_fields(l.objects)); }
 
@@ -71,6 +72,11 @@ inline auto fields(const GnssInsFix& f) {
   return std::make_tuple(fields(f.stamp), f.latitude, f.longitude, f.height, f.heading,
                          fields(f.position_covariance), f.heading_sigma, f.kind);
 }
+
+inline auto fields(const BoxDetection& b) {
+  return std::make_tuple(b.left, b.top, b.right, b.bottom, b.confidence);
+}
+inline auto fields(const CameraBoxes& b) { return std::make_tuple(fields(b.stamp), all_fields(b.boxes)); }
 
 inline auto fields(const CameraImage& i) { return std::make_tuple(fields(i.stamp), i.format, i.bytes); }
 
