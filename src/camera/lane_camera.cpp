@@ -58,14 +58,15 @@ LaneCamera::Seen LaneCamera::process(const ImageView& image, const Stamp& stamp,
   view_ = {
       sensor_.id, stamp.measured_at, ImageFault::none, calibration_.status(), pose_with(last_pitch_), {}, {},
       {}};
-  find_vehicles(image, motion, seconds, others);
+  Seen seen;
+  seen.boxes = find_vehicles(image, stamp, motion, seconds);
+  hide_others(others);
   const LaneTrack& track = tracker_.track(
       {image, stamp.measured_at, calibration_.pose(), motion.speed, motion.yaw_rate, view_.vehicles});
   believe(track);
   calibration_.update(track, motion.speed, motion.yaw_rate, stamp.measured_at);
   view_.calibration = calibration_.status();
   view_.windows = track.windows;
-  Seen seen;
   if (calibration_.status() == CalibrationStatus::bumped) {
     // What a camera believes that stands elsewhere than it thinks is worse than nothing.
     markings_.reset();
@@ -78,11 +79,19 @@ LaneCamera::Seen LaneCamera::process(const ImageView& image, const Stamp& stamp,
   return seen;
 }
 
-void LaneCamera::find_vehicles(const ImageView& image, const CameraMotion& motion, double seconds,
-                               std::span<const TrackedObject> others) {
-  if (config_.detect_vehicles) {
-    view_.vehicles = vehicles_.detect({image, view_.pose, motion.speed, motion.yaw_rate, seconds});
+CameraBoxes LaneCamera::find_vehicles(const ImageView& image, const Stamp& stamp, const CameraMotion& motion,
+                                      double seconds) {
+  CameraBoxes boxes{stamp, {}};
+  if (!config_.detect_vehicles) return boxes;
+  view_.vehicles = vehicles_.detect({image, view_.pose, motion.speed, motion.yaw_rate, seconds});
+  for (const VehicleBox& box : view_.vehicles) {
+    boxes.boxes.push_back({box.left, box.top, box.right, box.bottom, box.confidence});
   }
+  return boxes;
+}
+
+/// What is known of vehicles from elsewhere hides the road, but is no witness of itself.
+void LaneCamera::hide_others(std::span<const TrackedObject> others) {
   const GroundProjection projection(model_, view_.pose);
   for (const TrackedObject& object : others) {
     if (const auto box = vehicle_region(object, projection)) view_.vehicles.push_back(*box);

@@ -48,6 +48,7 @@ class LaneCamera {
   struct Seen {
     std::optional<SerialLane> lane;
     std::optional<MarkingFeatures> markings;
+    CameraBoxes boxes;  ///< the vehicles found in the image itself
   };
   /// Images come in order of measuring. `others` are vehicles known from elsewhere, where the vehicle frame
   /// is that of the image: they hide the road, too. Of an image that cannot be believed nothing is seen;
@@ -78,8 +79,9 @@ class LaneCamera {
   double last_pitch_ = 0;  ///< [rad] of the last image's, relative to the calibration's
 
   [[nodiscard]] CameraPose pose_with(double pitch) const;
-  void find_vehicles(const ImageView& image, const CameraMotion& motion, double seconds,
-                     std::span<const TrackedObject> others);
+  CameraBoxes find_vehicles(const ImageView& image, const Stamp& stamp, const CameraMotion& motion,
+                            double seconds);
+  void hide_others(std::span<const TrackedObject> others);
   void believe(const LaneTrack& track);
   [[nodiscard]] SerialLane serial_lane(const LaneTrack& track, const Stamp& stamp) const;
   [[nodiscard]] MarkingFeatures marking_features(const ImageView& image, const Stamp& stamp,

@@ -82,15 +82,7 @@ PerceptionConfig default_config(WitnessRule rule) {
   PerceptionConfig config;
   if (rule == WitnessRule::radar_only) {
     config.sources.objects.witness.rule = rule;
-    // Such drives bring radars of which nobody knows more than that they are older than the paper's.
-    config.sources.objects.sensors.long_range_radar = {.sigma_range = 0.5,
-                                                       .sigma_bearing_deg = 0.5,
-                                                       .sigma_range_rate = 0.25,
-                                                       .range = 180,
-                                                       .field_deg = 36,
-                                                       .near_range = 0,
-                                                       .near_field_deg = 36,
-                                                       .detection = 0.8};
+    config.sources.objects.sensors.long_range_radar = unknown_radar_config();
     config.sources.ego_path.enabled = true;
     config.lanes.base.fit = BaseFit::joint;
     config.lanes.base.position_sigma = config.sources.objects.witness.driver_sigma;

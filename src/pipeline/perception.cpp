@@ -170,6 +170,11 @@ void MultiLanePerception::run_sources(Time now) {
       inputs_ += dead_reckoning_.add(*motion);
   }
   SourceContext context{rig_, dead_reckoning_.samples(), lane_width_.width(now)};
+  // Tracked vehicles hide the road in images, too, unless an object list says better.
+  if (!objects().empty()) {
+    const Time then = now - period_;
+    images_.note({{then, then, 0}, {objects().begin(), objects().end()}});
+  }
   for (const Measurement& measurement : pending_) take(measurement, context);
   pending_.clear();
   for (const auto& source : sources_) {

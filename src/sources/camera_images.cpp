@@ -68,6 +68,7 @@ InputAccounting CameraImages::take(const CameraImage& image, const SourceContext
   views_.push_back(camera->lane_camera.view());
   if (what.lane) seen.emplace_back(std::move(*what.lane));
   if (what.markings) seen.emplace_back(std::move(*what.markings));
+  if (!what.boxes.boxes.empty()) seen.emplace_back(std::move(what.boxes));
   switch (views_.back().fault) {
     case ImageFault::none:
       return {.used = 1};

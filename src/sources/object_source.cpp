@@ -12,8 +12,8 @@ namespace {
 /// How far the dead reckoning may be stretched to a stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
 
-/// An object list older than this says nothing any more.
-constexpr Duration kOldestList = std::chrono::milliseconds(500);
+/// What is older than this says nothing any more.
+constexpr Duration kOldest = std::chrono::milliseconds(500);
 
 /// Straight on at its speed, seen from where the car is now.
 TrackedObject moved(TrackedObject object, double seconds, const Pose2& now_from_then) {
@@ -55,10 +55,7 @@ InputAccounting ObjectSource::add_look(bool made, const std::vector<Detection>& 
                     [](const Detection& detection) { return is_plausible(detection); }));
   const bool taken = made && tracker_.add(look_);
   const std::size_t used = taken ? look_.sightings.size() : 0;
-  if (taken) {
-    has_detections_ = true;
-    last_look_ = std::max(last_look_, look_.measured_at);
-  }
+  if (taken) last_look_ = std::max(last_look_.value_or(look_.measured_at), look_.measured_at);
   return {used, detections.size() - plausible, plausible - used};
 }
 
@@ -88,15 +85,15 @@ void ObjectSource::bear_witness(std::span<const TrackedObject> objects, const St
 }
 
 void ObjectSource::collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) {
-  if (has_detections_) {
-    report_tracks(now, context);
-  } else {
+  objects_.clear();
+  if (last_list_ && now - last_list_->stamp.measured_at < kOldest) {
     report_list(now, context);
+  } else if (last_look_ && now - *last_look_ < kOldest) {
+    report_tracks(now, context);
   }
   for (TrackedObject& object : objects_) {
     object.witness = is_witness(object, config_.witness) && is_fresh(object, now);
   }
-  has_detections_ = false;
   std::move(pending_.begin(), pending_.end(), std::back_inserter(sets));
   pending_.clear();
 }
@@ -104,11 +101,13 @@ void ObjectSource::collect(Time now, const SourceContext& context, std::vector<F
 /// The tracks bear witness as of their last look: what came after it is for the fusion to say.
 void ObjectSource::report_tracks(Time now, const SourceContext& context) {
   Pose2 then;
-  objects_.clear();
-  if (!pose_at(context.motion, last_look_, kReach, then)) return;
-  tracker_.write(last_look_, then, then_);
-  std::erase_if(then_, [&](const TrackedObject& object) { return !is_fresh(object, last_look_); });
-  bear_witness(then_, {last_look_, last_look_, 0}, context);
+  if (!pose_at(context.motion, *last_look_, kReach, then)) return;
+  if (last_look_ != last_witness_) {
+    tracker_.write(*last_look_, then, then_);
+    std::erase_if(then_, [&](const TrackedObject& object) { return !is_fresh(object, *last_look_); });
+    bear_witness(then_, {*last_look_, *last_look_, 0}, context);
+    last_witness_ = last_look_;
+  }
   Pose2 odometry_from_vehicle;
   if (pose_at(context.motion, now, kReach, odometry_from_vehicle)) {
     tracker_.write(now, odometry_from_vehicle, objects_);
@@ -116,8 +115,7 @@ void ObjectSource::report_tracks(Time now, const SourceContext& context) {
 }
 
 void ObjectSource::report_list(Time now, const SourceContext& context) {
-  objects_.clear();
-  if (!last_list_ || context.motion.empty() || now - last_list_->stamp.measured_at > kOldestList) return;
+  if (context.motion.empty()) return;
   Pose2 then;
   Pose2 here;
   const Time measured_at = last_list_->stamp.measured_at;
@@ -132,8 +130,8 @@ void ObjectSource::report_list(Time now, const SourceContext& context) {
 void ObjectSource::reset() {
   tracker_.reset();
   last_list_.reset();
-  has_detections_ = false;
-  last_look_ = {};
+  last_look_.reset();
+  last_witness_.reset();
   pending_.clear();
   objects_.clear();
 }

@@ -39,8 +39,8 @@ class ObjectSource final : public FeatureSource {
   SightingMaker maker_;
   ObjectTracker tracker_;
   SightingSet look_;
-  bool has_detections_ = false;  ///< since the last cycle
-  Time last_look_{};
+  std::optional<Time> last_look_;
+  std::optional<Time> last_witness_;  ///< the look as of which the tracks bore witness last
   std::optional<ObjectList> last_list_;
   std::vector<FeatureSet> pending_;
   std::vector<TrackedObject> objects_;

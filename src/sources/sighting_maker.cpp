@@ -87,10 +87,12 @@ bool SightingMaker::make(const CameraBoxes& boxes, const SourceContext& context,
   if (!sensor || !sensor->camera || !place(boxes.stamp, *sensor, context, look)) return false;
   const ObjectCameraConfig& camera = config_.camera;
   look.kind = SightingKind::camera;
+  // Boxes that were found in images by the way verify a vehicle; that there is none refutes nothing.
+  const bool finds_all = sensor->kind == SensorKind::object_camera;
   look.field = {.range = camera.range,
                 .half_angle = camera.field_deg / 2 * kDegree,
-                .detection = camera.detection,
-                .detection_far = camera.detection_far};
+                .detection = finds_all ? camera.detection : 0,
+                .detection_far = finds_all ? camera.detection_far : 0};
   const CameraModel& lens = lens_of(*sensor);
   for (const BoxDetection& box : boxes.boxes) {
     if (!is_plausible(box)) continue;
@@ -115,13 +117,16 @@ std::optional<Sighting> SightingMaker::sighting_of(const BoxDetection& box, cons
   const double right = bearing_at(box.right);
   const bool cut = box.left < kEdge || box.right > intrinsics.width - kEdge;
   const bool base_seen = box.bottom < intrinsics.height - kEdge;
-  const double edge = camera.sigma_edge_px / intrinsics.fx;
+  // What is found in images by the way is boxed roughly.
+  constexpr double kRough = 4;
+  const double rough = sensor.kind == SensorKind::object_camera ? 1 : kRough;
+  const double edge = rough * camera.sigma_edge_px / intrinsics.fx;
 
   Weighed inverse_range;
   const auto base = projection.ground({(box.left + box.right) / 2, box.bottom});
   const double height = std::max(0.1, sensor.mounting.z);
   const double base_sigma =
-      std::hypot(camera.sigma_base_px / intrinsics.fy, camera.sigma_pitch_deg * kDegree) / height;
+      std::hypot(rough * camera.sigma_base_px / intrinsics.fy, camera.sigma_pitch_deg * kDegree) / height;
   if (base && base_seen) {
     const Eigen::Vector2d apart = *base - Eigen::Vector2d(sensor.mounting.x, sensor.mounting.y);
     inverse_range.add(1 / std::max(1.0, apart.norm()), base_sigma);

@@ -27,6 +27,9 @@ struct RadarConfig {
 
 inline RadarConfig short_range_radar_config() { return {0.2, 1.5, 0.15, 50, 150, 0, 150, 0.85}; }
 
+/// A radar of which nobody knows more than that it is older than the paper's.
+inline RadarConfig unknown_radar_config() { return {0.5, 0.5, 0.25, 180, 36, 0, 36, 0.8}; }
+
 /// What is known of a camera that boxes vehicles.
 struct ObjectCameraConfig {
   double sigma_edge_px = 1.5;        ///< [px] of a box's sides

@@ -119,6 +119,7 @@ TEST(Config, RadarOnlyGoesBeyondThePaperOnlyWhereItSaysSo) {
   set_key(expected, "sources.ego_path.enabled=true");
   set_key(expected, "lanes.base.fit=joint");
   set_key(expected, "lanes.base.position_sigma=0.3");
+  expected.sources.objects.sensors.long_range_radar = unknown_radar_config();
   EXPECT_EQ(to_yaml(default_config(WitnessRule::radar_only)), to_yaml(expected));
   EXPECT_EQ(to_yaml(default_config(WitnessRule::radar_and_camera)), to_yaml({}));
 }
