@@ -75,7 +75,9 @@ int replay(const ReplayOptions& options) {
   check_output(options.output, options.force);
   const std::int64_t ego = options.ego ? *options.ego : longest_stay(scenario.vehicles).id;
   const SensorPreset preset = nominal_preset();
-  ReplaySimulation simulation(scenario, ego, preset, options.scenario.filename().string(), options.seed);
+  const ReplayConfig config{options.scenario.filename().string(), ego, options.seed, options.detections,
+                            options.guard_rail_mirrors};
+  ReplaySimulation simulation(scenario, config, preset);
   DriveWriter writer(options.output, simulation.info(), simulation.rig());
   writer.write(simulation.road(), kSimulationStart);
   const Written written = record(simulation, writer);

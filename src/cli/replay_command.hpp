@@ -14,6 +14,8 @@ struct ReplayOptions {
   std::optional<std::int64_t> ego;  ///< id of the ego car; else who was recorded longest
   bool list = false;                ///< only say which vehicles there are
   std::uint64_t seed = 1;
+  bool detections = false;                ///< instead of the object list
+  std::optional<int> guard_rail_mirrors;  ///< most a scan; else the preset's
   std::filesystem::path output;
   bool json = false;
   bool force = false;

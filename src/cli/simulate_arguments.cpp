@@ -7,6 +7,17 @@
 namespace lanefuse {
 namespace {
 
+void add_detections(CLI::App& command, SimulationConfig& config) {
+  CLI::Option* detections =
+      command.add_flag("--detections", config.detections,
+                       "radars' reflections and a camera's boxes of vehicles, instead of object lists");
+  command
+      .add_option("--guard-rail-mirrors", config.guard_rail_mirrors,
+                  "most vehicles that a radar sees mirrored in guard rails in a scan; else the preset's 2")
+      ->check(CLI::Range(0, 50))
+      ->needs(detections);
+}
+
 /// Options that say what is to be simulated have no meaning for a recording.
 void add_replay(CLI::App& command, ReplayOptions& replay) {
   CLI::Option* file = command.add_option("--commonroad", replay.scenario,
@@ -27,6 +38,8 @@ void add_replay(CLI::App& command, ReplayOptions& replay) {
 int simulate_or_replay(const SimulateOptions& options, ReplayOptions replay_options) {
   if (replay_options.scenario.empty()) return simulate(options);
   replay_options.seed = options.simulation.seed;
+  replay_options.detections = options.simulation.detections;
+  replay_options.guard_rail_mirrors = options.simulation.guard_rail_mirrors;
   replay_options.output = options.output;
   replay_options.json = options.json;
   replay_options.force = options.force;
@@ -91,7 +104,8 @@ void add_simulate(CommandLine& line) {
       ->check(CLI::IsMember({"clear", "low-sun", "wet", "night"}));
   leave_out("--no-serial-camera", config.serial_camera, "serial camera");
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
-  leave_out("--no-objects", config.objects, "object lists");
+  leave_out("--no-objects", config.objects, "object lists, or what stands in for them");
+  add_detections(command, config);
   command.add_option("-o,--output", options.output, "the recording to write (.mcap)");
   auto& replay = line.make<ReplayOptions>();
   add_replay(command, replay);

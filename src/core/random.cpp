@@ -37,6 +37,13 @@ double Random::normal(double sigma) {
 
 double Random::exponential(double mean) { return -mean * std::log(1 - uniform()); }
 
+int Random::poisson(double mean) {
+  const double limit = std::exp(-mean);
+  int count = 0;
+  for (double product = uniform(); product > limit; product *= uniform()) ++count;
+  return count;
+}
+
 Wander::Wander(double sigma, double tau, Random& random)
     : sigma_(sigma), tau_(tau), value_(random.normal(sigma)) {
   assert(sigma >= 0 && tau > 0);

@@ -21,6 +21,9 @@ class Random {
   double uniform(double low, double high);  ///< in [low, high)
   double normal(double sigma);              ///< mean zero
   double exponential(double mean);
+  int poisson(double mean);  ///< of a mean up to some tens
+  /// Each of the whole numbers from `low` to `high` as likely as the others.
+  int whole(int low, int high) { return low + static_cast<int>(uniform() * (high - low + 1)); }
   bool chance(double probability) { return uniform() < probability; }
 
  private:

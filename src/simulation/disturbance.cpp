@@ -15,13 +15,21 @@ namespace lanefuse {
 namespace {
 
 bool is_camera(SensorKind kind) {
-  return kind == SensorKind::serial_camera || kind == SensorKind::high_resolution_camera;
+  return kind == SensorKind::serial_camera || kind == SensorKind::high_resolution_camera ||
+         kind == SensorKind::object_camera;
+}
+
+/// Radars and the object camera stand in for the object list: what is said of it holds for them.
+SensorKind named_as(SensorKind kind) {
+  const bool stands_in = kind == SensorKind::long_range_radar || kind == SensorKind::short_range_radar ||
+                         kind == SensorKind::object_camera;
+  return stands_in ? SensorKind::object_fusion : kind;
 }
 
 bool befalls(const Disturbance& disturbance, SensorKind kind) {
   if (!disturbance.sensors.empty()) {
-    return std::find(disturbance.sensors.begin(), disturbance.sensors.end(), kind) !=
-           disturbance.sensors.end();
+    return std::ranges::find(disturbance.sensors, kind) != disturbance.sensors.end() ||
+           std::ranges::find(disturbance.sensors, named_as(kind)) != disturbance.sensors.end();
   }
   const bool of_sight =
       disturbance.kind == Disturbance::Kind::blackout || disturbance.kind == Disturbance::Kind::short_range;

@@ -23,13 +23,15 @@ struct Disturbance {
   };
 
   Kind kind = Kind::gaps;
-  std::vector<SensorKind> sensors;  ///< that it befalls; empty: cameras and object lists, or cameras alone
-  double first = 0;                 ///< [s] or, for a blackout, [m] from the start of the drive
-  double every = 10;                ///< [s] or [m] from one to the next; 0: there is only one
-  double length = 0.8;              ///< [s] or [m]
-  double share = 0.1;               ///< of the messages
-  double delay = 0;                 ///< [s] at most
-  double visibility = 0;            ///< [m]
+  /// That it befalls; empty: all but the odometry, or cameras alone. The object list's kind stands for the
+  /// radars and the object camera, too.
+  std::vector<SensorKind> sensors;
+  double first = 0;       ///< [s] or, for a blackout, [m] from the start of the drive
+  double every = 10;      ///< [s] or [m] from one to the next; 0: there is only one
+  double length = 0.8;    ///< [s] or [m]
+  double share = 0.1;     ///< of the messages
+  double delay = 0;       ///< [s] at most
+  double visibility = 0;  ///< [m]
 };
 
 /// The sensor as the disturbance lets it be. `start` [m] is the station of the drive's start. Random numbers

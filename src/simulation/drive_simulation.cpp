@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "simulation/camera_image_model.hpp"
+#include "simulation/detection_sensors.hpp"
 #include "simulation/gnss_ins_model.hpp"
 #include "simulation/high_resolution_camera_model.hpp"
 #include "simulation/object_list_model.hpp"
@@ -58,10 +59,17 @@ void DriveSimulation::add_sensors() {
   const std::uint64_t seed = config_.seed;
   add_sensor(std::make_unique<OdometryModel>(preset_.odometry, seed));
   add_cameras();
-  if (config_.objects && config_.scenario.sensors.objects)
-    add_sensor(std::make_unique<ObjectListModel>(preset_, seed));
+  if (config_.objects && config_.scenario.sensors.objects) add_objects();
   if (config_.gnss_ins && drive_road_->origin) {
     add_sensor(std::make_unique<GnssInsModel>(preset_.gnss_ins, *drive_road_->origin, seed));
+  }
+}
+
+void DriveSimulation::add_objects() {
+  if (!config_.detections) return add_sensor(std::make_unique<ObjectListModel>(preset_, config_.seed));
+  const auto rails = std::make_shared<RoadRails>();
+  for (auto& sensor : detection_sensors(preset_, rails, config_.guard_rail_mirrors, config_.seed)) {
+    add_sensor(std::move(sensor));
   }
 }
 
@@ -106,6 +114,7 @@ DriveInfo DriveSimulation::info() const {
   if (config_.road_seed) name += fmt::format(", road seed {}", *config_.road_seed);
   if (config_.ego_lane) name += fmt::format(", lane {}", *config_.ego_lane + 1);
   if (config_.images) name += fmt::format(", images, {}", to_string(*config_.images));
+  if (config_.detections) name += detections_in_name(config_.guard_rail_mirrors);
   DriveInfo info{name, preset_.hash, WitnessRule::radar_and_camera};
   if (config_.gnss_ins) info.origin = drive_road_->origin;
   return info;

@@ -72,6 +72,7 @@ class DriveSimulation {
   bool over_ = false;
 
   void add_sensors();
+  void add_objects();
   void add_cameras();
   void add_sensor(std::unique_ptr<SensorModel> sensor);
 };

@@ -37,7 +37,7 @@ class ObjectListModel final : public SensorModel {
   };
 
   ObjectListPreset preset_;
-  LongRangeRadarPreset radar_;
+  RadarPreset radar_;
   CameraBoxesPreset camera_;
   Random random_;
   double misalignment_;  ///< [rad]

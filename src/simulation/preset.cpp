@@ -138,13 +138,59 @@ ObjectListPreset read_object_list(PresetSection objects) {
   return preset;
 }
 
-LongRangeRadarPreset read_long_range_radar(PresetSection radar) {
-  return {radar.number("sigma_range_m"), radar.number("sigma_range_rate_mps")};
+/// What both kinds of radar say.
+RadarPreset read_radar(PresetSection& radar) {
+  RadarPreset preset;
+  preset.hz = radar.positive("hz");
+  preset.latency = radar.number("latency_ms") * kMilli;
+  preset.range = radar.positive("range_m");
+  preset.field = radar.positive("field_deg") * kDegree;
+  preset.sigma_range = radar.number("sigma_range_m");
+  preset.sigma_azimuth = radar.degrees("sigma_azimuth_deg");
+  preset.sigma_range_rate = radar.number("sigma_range_rate_mps");
+  preset.detection = radar.share("detection");
+  preset.reflections = radar.counts("reflections_per_vehicle");
+  preset.clutter = radar.number("clutter_per_scan");
+  return preset;
+}
+
+RadarPreset read_long_range_radar(PresetSection radar) {
+  RadarPreset preset = read_radar(radar);
+  preset.near_range = radar.number("near_range_m");
+  preset.near_field = radar.degrees("near_field_deg");
+  preset.misalignment = radar.degrees("misalignment_deg");
+  radar.finish();
+  return preset;
+}
+
+/// The file does not say how well they are aligned: as well as the long-range radar.
+RadarPreset read_short_range_radar(PresetSection radar, double misalignment) {
+  RadarPreset preset = read_radar(radar);
+  preset.count = radar.count("count");
+  preset.misalignment = misalignment;
+  radar.finish();
+  return preset;
 }
 
 CameraBoxesPreset read_camera_boxes(PresetSection boxes) {
+  CameraBoxesPreset preset;
+  preset.hz = boxes.positive("hz");
+  preset.latency = boxes.number("latency_ms") * kMilli;
+  preset.range = boxes.positive("range_m");
+  preset.sigma_edge_px = boxes.number("sigma_edge_px");
+  preset.sigma_base_px = boxes.number("sigma_base_px");
   PresetSection detection = boxes.section("detection");
-  return {boxes.positive("range_m"), detection.share("near"), detection.share("at_90_m")};
+  preset.detection_near = detection.share("near");
+  preset.detection_at_90_m = detection.share("at_90_m");
+  preset.false_boxes = boxes.number("false_per_frame");
+  for (const PresetSection& part : {detection, boxes}) part.finish();
+  return preset;
+}
+
+GhostsPreset read_ghosts(PresetSection ghosts) {
+  const GhostsPreset preset{ghosts.counts("guard_rail_mirrors_per_scan")};
+  ghosts.finish();
+  return preset;
 }
 
 GnssInsPreset read_gnss_ins(PresetSection gnss_ins) {
@@ -191,10 +237,13 @@ SensorPreset parse_preset(std::string_view text, const std::string& place) {
   preset.high_resolution_camera = read_high_resolution_camera(file.section("high_resolution_camera"));
   preset.object_list = read_object_list(file.section("object_list"));
   preset.long_range_radar = read_long_range_radar(file.section("long_range_radar"));
+  preset.short_range_radar =
+      read_short_range_radar(file.section("short_range_radar"), preset.long_range_radar.misalignment);
   preset.camera_boxes = read_camera_boxes(file.section("camera_boxes"));
+  preset.ghosts = read_ghosts(file.section("ghosts"));
   preset.gnss_ins = read_gnss_ins(file.section("gnss_ins"));
   preset.surveyed_truth = read_surveyed_truth(file.section("truth"));
-  for (const char* later : {"conventions", "short_range_radar", "ghosts"}) file.leave(later);
+  file.leave("conventions");
   file.finish();
   return preset;
 }

@@ -105,16 +105,38 @@ struct ObjectListPreset {
   double misalignment = 0;  ///< [rad] sigma over drives
 };
 
-/// Of the radar only what the object list inherits from it; its own model reads the rest.
-struct LongRangeRadarPreset {
+/// A radar at detection level. It sees its whole range in the angle `field`, and what is nearer than
+/// `near_range` in the angle `near_field`; both are whole opening angles.
+struct RadarPreset {
+  double hz = 0;
+  double latency = 0;           ///< [s]
+  int count = 1;                ///< of radars of this kind
+  double range = 0;             ///< [m]
+  double field = 0;             ///< [rad]
+  double near_range = 0;        ///< [m]; 0: there is no second field
+  double near_field = 0;        ///< [rad]
   double sigma_range = 0;       ///< [m]
+  double sigma_azimuth = 0;     ///< [rad]
   double sigma_range_rate = 0;  ///< [m/s]
+  double detection = 0;         ///< probability a vehicle and scan
+  Range reflections;            ///< whole numbers, of a detected vehicle in a scan
+  double clutter = 0;           ///< mean detections a scan that belong to no vehicle
+  double misalignment = 0;      ///< [rad] sigma over drives
 };
 
 struct CameraBoxesPreset {
-  double range = 0;           ///< [m]
-  double detection_near = 0;  ///< probability at 0 m
-  double detection_at_90_m = 0;
+  double hz = 0;
+  double latency = 0;            ///< [s]
+  double range = 0;              ///< [m]
+  double sigma_edge_px = 0;      ///< of the left, right and upper edge
+  double sigma_base_px = 0;      ///< of the lower edge
+  double detection_near = 0;     ///< probability at 0 m
+  double detection_at_90_m = 0;  ///< probability
+  double false_boxes = 0;        ///< mean an image
+};
+
+struct GhostsPreset {
+  Range guard_rail_mirrors;  ///< whole numbers: vehicles that a radar sees mirrored in a scan
 };
 
 /// The errors of the paper's own map, as its Table I shows them at 0 m: sigmas. The evaluation lays them on
@@ -143,8 +165,10 @@ struct SensorPreset {
   SerialCameraPreset serial_camera;
   HighResolutionCameraPreset high_resolution_camera;
   ObjectListPreset object_list;
-  LongRangeRadarPreset long_range_radar;
+  RadarPreset long_range_radar;
+  RadarPreset short_range_radar;
   CameraBoxesPreset camera_boxes;
+  GhostsPreset ghosts;
   GnssInsPreset gnss_ins;
   SurveyedTruthPreset surveyed_truth;
 };

@@ -18,6 +18,8 @@ std::optional<double> as_number(const YAML::Node& node) {
   return value;
 }
 
+bool is_count(double value) { return value >= 0 && value <= 1000 && value == std::floor(value); }
+
 }  // namespace
 
 PresetSection::PresetSection(const YAML::Node& node, std::string place, std::string path)
@@ -61,15 +63,37 @@ double PresetSection::share(const std::string& key) {
 
 double PresetSection::degrees(const std::string& key) { return number(key) * std::numbers::pi / 180; }
 
-Range PresetSection::range(const std::string& key) {
+/// Two numbers in order.
+std::optional<Range> PresetSection::pair(const std::string& key) {
   const YAML::Node node = take(key);
   const bool is_pair = node.IsSequence() && node.size() == 2;
   const std::optional<double> low = is_pair ? as_number(node[0]) : std::nullopt;
   const std::optional<double> high = is_pair ? as_number(node[1]) : std::nullopt;
-  if (!low || !high || !(*low > 0) || *high < *low) {
+  if (!low || !high || *high < *low) return {};
+  return Range{*low, *high};
+}
+
+Range PresetSection::range(const std::string& key) {
+  const std::optional<Range> range = pair(key);
+  if (!range || !(range->low > 0)) {
     throw configuration_error(name(key), "is not a range of two positive numbers", "write [low, high]");
   }
-  return {*low, *high};
+  return *range;
+}
+
+int PresetSection::count(const std::string& key) {
+  const double value = number(key);
+  if (!is_count(value)) throw configuration_error(name(key), "is not a whole number up to 1000");
+  return static_cast<int>(value);
+}
+
+Range PresetSection::counts(const std::string& key) {
+  const std::optional<Range> range = pair(key);
+  if (!range || !is_count(range->low) || !is_count(range->high)) {
+    throw configuration_error(name(key), "is not a range of two whole numbers up to 1000",
+                              "write [low, high]");
+  }
+  return *range;
 }
 
 void PresetSection::expect(const std::string& key, const std::string& value) {

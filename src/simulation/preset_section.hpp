@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -23,8 +24,10 @@ class PresetSection {
   double share(const std::string& key);     ///< in [0, 1]
   double degrees(const std::string& key);   ///< in the file; radians here
   Range range(const std::string& key);      ///< two positive numbers, in order
+  int count(const std::string& key);        ///< a whole number of at least zero
+  Range counts(const std::string& key);     ///< two of them, in order
   void expect(const std::string& key, const std::string& value);
-  /// For parts that no model reads yet, or that are said for people.
+  /// For parts that are said for people.
   void leave(const std::string& key);
 
   /// To be called when all is read: complains of what nobody asked for.
@@ -37,6 +40,7 @@ class PresetSection {
   std::set<std::string> asked_;
 
   YAML::Node take(const std::string& key);
+  std::optional<Range> pair(const std::string& key);
   [[nodiscard]] std::string name(const std::string& key) const;
 };
 

@@ -2,34 +2,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/replay_simulation.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "simulation/detection_sensors.hpp"
 #include "simulation/object_list_model.hpp"
 #include "simulation/odometry_model.hpp"
 
 namespace lanefuse {
 namespace {
 
-std::int64_t checked_ego(const CommonRoadScenario& scenario, std::int64_t ego, const std::string& name) {
-  if (!find_vehicle(scenario.vehicles, ego)) {
-    throw input_error(name, fmt::format("has no recorded vehicle {}", ego),
+std::int64_t checked_ego(const CommonRoadScenario& scenario, const ReplayConfig& config) {
+  if (!find_vehicle(scenario.vehicles, config.ego)) {
+    throw input_error(config.name, fmt::format("has no recorded vehicle {}", config.ego),
                       "simulate --commonroad FILE --list names those there are");
   }
-  return ego;
+  return config.ego;
+}
+
+std::string name_of(const ReplayConfig& config) {
+  std::string name = fmt::format("replayed, {}, ego {}, seed {}", config.name, config.ego, config.seed);
+  if (config.detections) name += detections_in_name(config.guard_rail_mirrors);
+  return name;
 }
 
 }  // namespace
 
-ReplaySimulation::ReplaySimulation(const CommonRoadScenario& scenario, std::int64_t ego,
-                                   const SensorPreset& preset, const std::string& name, std::uint64_t seed)
-    : info_{fmt::format("replayed, {}, ego {}, seed {}", name, ego, seed), preset.hash,
-            WitnessRule::radar_and_camera},
+ReplaySimulation::ReplaySimulation(const CommonRoadScenario& scenario, const ReplayConfig& config,
+                                   const SensorPreset& preset)
+    : info_{name_of(config), preset.hash, WitnessRule::radar_and_camera},
       road_(true_road(scenario.map)),
-      traffic_(scenario.vehicles, checked_ego(scenario, ego, name)),
+      traffic_(scenario.vehicles, checked_ego(scenario, config)),
       suite_(preset.fusion_hz) {
-  suite_.add(std::make_unique<OdometryModel>(preset.odometry, seed));
-  suite_.add(std::make_unique<ObjectListModel>(preset, seed));
+  suite_.add(std::make_unique<OdometryModel>(preset.odometry, config.seed));
+  add_objects(config, preset);
+}
+
+void ReplaySimulation::add_objects(const ReplayConfig& config, const SensorPreset& preset) {
+  if (!config.detections) return suite_.add(std::make_unique<ObjectListModel>(preset, config.seed));
+  const double beyond = preset.road.shoulder + preset.road.guard_rail;
+  const auto rails = std::make_shared<BoundaryRails>(road_, beyond);
+  for (auto& sensor : detection_sensors(preset, rails, config.guard_rail_mirrors, config.seed)) {
+    suite_.add(std::move(sensor));
+  }
 }
 
 bool ReplaySimulation::step(std::vector<Measurement>& measurements, std::vector<TrueFrame>& truth) {

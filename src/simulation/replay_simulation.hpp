@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+
 #include "roadmap/commonroad.hpp"
 #include "sensors/drive.hpp"
 #include "simulation/preset.hpp"
@@ -10,14 +14,24 @@
 
 namespace lanefuse {
 
+/// What is replayed of a recorded scenario, and how.
+struct ReplayConfig {
+  std::string name;         ///< says where the scenario comes from
+  std::int64_t ego = 0;     ///< id of the recorded vehicle that is the ego car
+  std::uint64_t seed = 1;   ///< the same seed gives the same bytes
+  bool detections = false;  ///< radars' reflections and a camera's boxes instead of the object list
+  std::optional<int> guard_rail_mirrors = {};  ///< as SimulationConfig's
+};
+
 /// A drive of one recorded vehicle among the others that were recorded with it: its odometry, the others as
-/// an object list with the preset's errors, and the recorded road as truth. There are no cameras that see
-/// lines, as nobody recorded the paint.
+/// an object list with the preset's errors or as detections, and the recorded road as truth. For radars,
+/// guard rails stand beyond its outermost boundaries. There are no cameras that see lines, as nobody recorded
+/// the paint.
 class ReplaySimulation {
  public:
-  /// `name` says where the scenario comes from. Throws an input error where no vehicle has the id.
-  ReplaySimulation(const CommonRoadScenario& scenario, std::int64_t ego, const SensorPreset& preset,
-                   const std::string& name, std::uint64_t seed);
+  /// Throws an input error where no vehicle has the ego car's id.
+  ReplaySimulation(const CommonRoadScenario& scenario, const ReplayConfig& config,
+                   const SensorPreset& preset);
 
   [[nodiscard]] Rig rig() const { return suite_.rig(); }
   [[nodiscard]] const DriveInfo& info() const { return info_; }
@@ -33,6 +47,8 @@ class ReplaySimulation {
   RecordedTraffic traffic_;
   SensorSuite suite_;
   bool over_ = false;
+
+  void add_objects(const ReplayConfig& config, const SensorPreset& preset);
 };
 
 }  // namespace lanefuse

@@ -13,14 +13,17 @@
 namespace lanefuse {
 namespace {
 
-std::int64_t ticks_a_period(double hz, const char* what) {
-  const double ticks = 1 / (hz * to_seconds(kTick));
-  const double whole = std::round(ticks);
-  if (whole < 1 || std::abs(ticks - whole) > 1e-6) {
-    throw configuration_error("preset",
-                              fmt::format("{} at {} Hz: its period is not a multiple of 20 ms", what, hz));
-  }
-  return static_cast<std::int64_t>(whole);
+constexpr double kTicksHz = 1 / to_seconds(kTick);
+
+void check_rate(double hz, const std::string& what) {
+  if (hz > 0 && hz <= kTicksHz * (1 + 1e-6)) return;
+  throw configuration_error(
+      "preset", fmt::format("{} at {} Hz: rates must be above zero and at most {} Hz", what, hz, kTicksHz));
+}
+
+/// How many periods are over when the tick begins; what is missing of one by rounding is not missing.
+std::int64_t periods_until(std::int64_t tick, double hz) {
+  return static_cast<std::int64_t>(std::floor(static_cast<double>(tick) * hz / kTicksHz + 1e-6));
 }
 
 TrueObject true_object(const SceneVehicle& vehicle) {
@@ -36,10 +39,10 @@ TrueFrame true_frame(const Scene& scene) {
 
 }  // namespace
 
-SensorSuite::SensorSuite(double truth_hz) : truth_hz_(truth_hz) { ticks_a_period(truth_hz, "fusion"); }
+SensorSuite::SensorSuite(double truth_hz) : truth_hz_(truth_hz) { check_rate(truth_hz, "fusion"); }
 
 void SensorSuite::add(std::unique_ptr<SensorModel> sensor) {
-  ticks_a_period(sensor->hz(), sensor->description().name.c_str());
+  check_rate(sensor->hz(), sensor->description().name);
   sensors_.push_back(std::move(sensor));
 }
 
@@ -49,7 +52,9 @@ Rig SensorSuite::rig() const {
   return rig;
 }
 
-bool SensorSuite::is_due(double hz) const { return ticks_ % ticks_a_period(hz, "sensor") == 0; }
+bool SensorSuite::is_due(double hz) const {
+  return ticks_ == 0 || periods_until(ticks_, hz) > periods_until(ticks_ - 1, hz);
+}
 
 void SensorSuite::measure(const Scene& scene) {
   std::vector<Measurement> measured;

@@ -19,12 +19,14 @@ namespace lanefuse {
 inline constexpr Time kSimulationStart = from_nanoseconds(1'475'971'200'000'000'000);
 inline constexpr Duration kTick{20'000'000};
 
-/// All sensors of a simulated car, each at its own rate, and what they measured but is not yet received.
+/// All sensors of a simulated car, each at its own rate, and what they measured but is not yet received. A
+/// sensor looks at the first tick at or after each of its periods: at a rate that does not divide the ticks'
+/// (15 Hz), its looks are spaced unevenly and right in the mean.
 class SensorSuite {
  public:
   /// Truth is told `truth_hz` times a second.
   explicit SensorSuite(double truth_hz);
-  /// Throws a configuration error if the sensor's period is not a multiple of kTick.
+  /// Throws a configuration error if the sensor is faster than the ticks.
   void add(std::unique_ptr<SensorModel> sensor);
   [[nodiscard]] Rig rig() const;
 

@@ -55,7 +55,12 @@ class Digest {
   void operator()(const ObjectList& m) {
     for (const TrackedObject& o : m.objects) add({o.x, o.y, o.heading, o.speed, double(o.seen_by_camera)});
   }
-  void operator()(const RadarScan&) {}
+  void operator()(const RadarScan& m) {
+    for (const RadarDetection& d : m.detections) add({d.range, d.bearing, d.range_rate});
+  }
+  void operator()(const CameraBoxes& m) {
+    for (const BoxDetection& b : m.boxes) add({b.left, b.top, b.right, b.bottom, b.confidence});
+  }
   void operator()(const CameraImage& m) {
     text_.append(reinterpret_cast<const char*>(m.bytes.data()), m.bytes.size());
   }
@@ -202,7 +207,7 @@ TEST(DriveSimulation, RefusesImpossibleDrives) {
   config.km = 0;
   EXPECT_THROW(DriveSimulation(config, nominal_preset()), Error);
   SensorPreset preset = nominal_preset();
-  preset.object_list.hz = 15;
+  preset.object_list.hz = 60;
   EXPECT_THROW(DriveSimulation(SimulationConfig{}, preset), Error);
 }
 

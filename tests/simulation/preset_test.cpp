@@ -61,7 +61,33 @@ TEST(Preset, IsReadInRadiansAndSeconds) {
   EXPECT_DOUBLE_EQ(preset.road.curved_radius.low, 600);
 }
 
+TEST(Preset, SaysHowRadarsAndTheObjectCameraSee) {
+  const double degree = std::numbers::pi / 180;
+  const SensorPreset preset = nominal_preset();
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.hz, 15);
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.field, 17 * degree);
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.near_range, 60);
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.near_field, 56 * degree);
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.sigma_azimuth, 0.15 * degree);
+  EXPECT_DOUBLE_EQ(preset.long_range_radar.reflections.high, 3);
+  EXPECT_EQ(preset.short_range_radar.count, 4);
+  EXPECT_DOUBLE_EQ(preset.short_range_radar.clutter, 3);
+  EXPECT_DOUBLE_EQ(preset.short_range_radar.near_range, 0);
+  EXPECT_DOUBLE_EQ(preset.short_range_radar.misalignment, preset.long_range_radar.misalignment);
+  EXPECT_DOUBLE_EQ(preset.camera_boxes.latency, 0.06);
+  EXPECT_DOUBLE_EQ(preset.camera_boxes.sigma_base_px, 1.5);
+  EXPECT_DOUBLE_EQ(preset.camera_boxes.false_boxes, 0.02);
+  EXPECT_DOUBLE_EQ(preset.ghosts.guard_rail_mirrors.low, 0);
+  EXPECT_DOUBLE_EQ(preset.ghosts.guard_rail_mirrors.high, 2);
+}
+
 TEST(Preset, RefusesWhatItDoesNotKnowByName) {
+  EXPECT_THAT(refusal(changed("reflections_per_vehicle: [1, 3]", "reflections_per_vehicle: [1, 2.5]")),
+              HasSubstr("long_range_radar.reflections_per_vehicle"));
+  EXPECT_THAT(refusal(changed("count: 4", "count: 4.5")), HasSubstr("short_range_radar.count"));
+  EXPECT_THAT(refusal(changed("false_per_frame", "false_boxes")), HasSubstr("camera_boxes.false_per_frame"));
+  EXPECT_THAT(refusal(changed("mirrors_per_scan: [0, 2]", "mirrors_per_scan: [2, 0]")),
+              HasSubstr("ghosts.guard_rail_mirrors_per_scan"));
   EXPECT_THAT(refusal(changed("shoulder_m", "sholder_m")), HasSubstr("road.shoulder_m: is missing"));
   EXPECT_THAT(refusal(changed("fusion_hz", "colour: blue\nfusion_hz")),
               HasSubstr("colour: is an unknown key"));

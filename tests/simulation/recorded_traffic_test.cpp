@@ -152,7 +152,7 @@ TEST(RecordedTraffic, KnowsWhoStayedLongest) {
 }
 
 TEST(ReplaySimulation, GivesOdometryAndObjectsAndTheTruthOfBoth) {
-  ReplaySimulation simulation(two_cars(), 7, nominal_preset(), "two cars", 1);
+  ReplaySimulation simulation(two_cars(), {"two cars", 7}, nominal_preset());
   EXPECT_EQ(simulation.rig().sensors.size(), 2u);
   EXPECT_FALSE(simulation.rig().has_camera());
   std::vector<Measurement> measurements;
@@ -173,7 +173,7 @@ TEST(ReplaySimulation, GivesOdometryAndObjectsAndTheTruthOfBoth) {
 
 TEST(ReplaySimulation, RefusesAnEgoCarThatIsNotThere) {
   try {
-    ReplaySimulation(two_cars(), 9, nominal_preset(), "two.xml", 1);
+    ReplaySimulation(two_cars(), {"two.xml", 9}, nominal_preset());
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::input);
