@@ -32,6 +32,7 @@ InputAccounting ObjectSource::add_list(const ObjectList& list, const SourceConte
   std::copy_if(list.objects.begin(), list.objects.end(), std::back_inserter(good),
                [](const TrackedObject& object) { return is_plausible(object); });
   bear_witness(good, list.stamp, context);
+  objects_ = good;
   return {good.size(), list.objects.size() - good.size(), 0};
 }
 
@@ -50,7 +51,8 @@ InputAccounting ObjectSource::add_scan(const RadarScan& scan, const SourceContex
     return accounting;
   }
   accounting.used = good.detections.size();
-  bear_witness(tracker_.tracks(odometry_from_vehicle), scan.stamp, context);
+  objects_ = tracker_.tracks(odometry_from_vehicle);
+  bear_witness(objects_, scan.stamp, context);
   return accounting;
 }
 
@@ -76,6 +78,7 @@ void ObjectSource::collect(Time, const SourceContext&, std::vector<FeatureSet>& 
 
 void ObjectSource::reset() {
   tracker_.reset();
+  objects_.clear();
   pending_.clear();
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "objects/radar_tracker.hpp"
 #include "sources/feature_source.hpp"
 #include "sources/witness.hpp"
@@ -23,6 +26,9 @@ class ObjectSource final : public FeatureSource {
   void collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) override;
   void reset() override;
 
+  /// The vehicles of the last list or scan, in the vehicle frame.
+  [[nodiscard]] std::span<const TrackedObject> objects() const { return objects_; }
+
  private:
   InputAccounting add_list(const ObjectList& list, const SourceContext& context);
   InputAccounting add_scan(const RadarScan& scan, const SourceContext& context);
@@ -31,6 +37,7 @@ class ObjectSource final : public FeatureSource {
 
   ObjectSourceConfig config_;
   RadarTracker tracker_;
+  std::vector<TrackedObject> objects_;
   std::vector<FeatureSet> pending_;
 };
 
