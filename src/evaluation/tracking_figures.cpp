@@ -45,6 +45,7 @@ double TrackingCounts::id_switches_per_vehicle_hour() const {
 void TrackErrors::add(double lateral, double sigma, double heading) {
   ++n;
   lateral_squares += lateral * lateral;
+  stated_variance += sigma * sigma;
   lateral_normalised += lateral * lateral / (sigma * sigma);
   heading_squares += heading * heading;
 }
@@ -52,12 +53,17 @@ void TrackErrors::add(double lateral, double sigma, double heading) {
 TrackErrors& TrackErrors::operator+=(const TrackErrors& other) {
   n += other.n;
   lateral_squares += other.lateral_squares;
+  stated_variance += other.stated_variance;
   lateral_normalised += other.lateral_normalised;
   heading_squares += other.heading_squares;
   return *this;
 }
 
 double TrackErrors::lateral_rmse() const { return std::sqrt(ratio(lateral_squares, static_cast<double>(n))); }
+
+double TrackErrors::stated_lateral() const {
+  return std::sqrt(ratio(stated_variance, static_cast<double>(n)));
+}
 
 double TrackErrors::lateral_nees() const { return ratio(lateral_normalised, static_cast<double>(n)); }
 

@@ -32,14 +32,16 @@ struct TrackingCounts {
 struct TrackErrors {
   std::uint64_t n = 0;
   double lateral_squares = 0;     ///< [m^2] across the true vehicle's heading
+  double stated_variance = 0;     ///< [m^2] of them by the tracks themselves
   double lateral_normalised = 0;  ///< of (error / stated sigma)^2
   double heading_squares = 0;     ///< [rad^2]
 
   void add(double lateral, double sigma, double heading);
   TrackErrors& operator+=(const TrackErrors& other);
-  [[nodiscard]] double lateral_rmse() const;  ///< [m]
-  [[nodiscard]] double lateral_nees() const;  ///< 1 is honest, above is overconfident
-  [[nodiscard]] double heading_rmse() const;  ///< [rad]
+  [[nodiscard]] double lateral_rmse() const;    ///< [m]
+  [[nodiscard]] double stated_lateral() const;  ///< [m] what it should be by the tracks' own word
+  [[nodiscard]] double lateral_nees() const;    ///< 1 is honest, above is overconfident
+  [[nodiscard]] double heading_rmse() const;    ///< [rad]
 };
 
 /// All that is said of a drive's tracks, as sums, so that many drives make one figure. TrackingJudge says
