@@ -75,7 +75,8 @@ int benchmark_tracking(const TrackingBenchmarkOptions& options) {
                            .dump());
     return 0;
   }
-  fmt::print("{} drives, {:.1f} km, {} road\n\n{}", trials.size(), km, options.road,
+  fmt::print("{} drive{}, {:.1f} km, {} road\n\n{}", trials.size(), trials.size() == 1 ? "" : "s", km,
+             options.road,
              to_text({{"fused, verified", figures.fused}, {"nearest neighbour", figures.nearest_neighbour}}));
   return 0;
 }

@@ -75,7 +75,7 @@ void add_rates(Lines& lines) {
 void add_errors(Lines& lines) {
   for (std::size_t bin = 0; bin < TrackingFigures::kBins; ++bin) {
     const double from = TrackingFigures::kBinLength * static_cast<double>(bin);
-    lines.add(fmt::format("{:3.0f}-{:.0f} m: lateral [m], heading [deg] RMSE (n)", from,
+    lines.add(fmt::format("{:3.0f}-{:3.0f} m: lateral [m], heading [deg] RMSE (n)", from,
                           from + TrackingFigures::kBinLength),
               [bin](const TrackingFigures& f) {
                 const TrackErrors& errors = f.ahead[bin];
