@@ -118,7 +118,7 @@ class DriveRun {
       const GraphSize& graph = perception_.debug().graph;
       largest_.features = std::max(largest_.features, graph.features);
       largest_.edges = std::max(largest_.edges, graph.edges);
-      judged_.add(*lanes, serial_camera_.at(lanes->time));
+      judged_.add(*lanes, serial_camera_.at(lanes->time), perception_.objects());
     }
   }
 

@@ -12,7 +12,7 @@ void JudgedCycles::add(const std::vector<TrueFrame>& frames) {
   if (frames.empty()) return;
   frames_.insert(frames_.end(), frames.begin(), frames.end());
   const auto first_to_wait = std::find_if(waiting_.begin(), waiting_.end(), [this](const Cycle& cycle) {
-    return cycle.first.time > frames_.back().time;
+    return cycle.estimate.time > frames_.back().time;
   });
   std::for_each(waiting_.begin(), first_to_wait, [this](const Cycle& cycle) { judge(cycle); });
   waiting_.erase(waiting_.begin(), first_to_wait);
@@ -22,13 +22,17 @@ void JudgedCycles::add(const std::vector<TrueFrame>& frames) {
 EvaluationResult JudgedCycles::finish() {
   for (const Cycle& cycle : waiting_) judge(cycle);
   waiting_.clear();
-  return evaluation_.result();
+  EvaluationResult result = evaluation_.result();
+  if (TrackingFigures tracking = tracking_.figures(); tracking.judged())
+    result.tracking = std::move(tracking);
+  return result;
 }
 
 void JudgedCycles::judge(const Cycle& cycle) {
-  const auto& [estimate, serial_camera] = cycle;
-  const auto frame = frame_at(frames_, estimate.time);
-  frame ? evaluation_.add(estimate, *frame, &serial_camera) : evaluation_.add_without_truth(estimate);
+  const auto frame = frame_at(frames_, cycle.estimate.time);
+  if (!frame) return evaluation_.add_without_truth(cycle.estimate);
+  evaluation_.add(cycle.estimate, *frame, &cycle.serial_camera);
+  tracking_.add(*frame, cycle.objects);
 }
 
 void JudgedCycles::forget_frames() {

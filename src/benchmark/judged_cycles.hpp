@@ -3,11 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/lane_estimate.hpp"
 #include "evaluation/exact_truth.hpp"
+#include "evaluation/tracking_judge.hpp"
+#include "sensors/measurement.hpp"
 #include "sensors/truth.hpp"
 
 namespace lanefuse {
@@ -24,21 +27,27 @@ class JudgedCycles {
   /// The truth, in order of time.
   void add(const std::vector<TrueFrame>& frames);
 
-  /// An estimate, in order of time, and what the serial camera alone says at the same time.
-  void add(const LaneEstimate& estimate, LaneEstimate serial_camera) {
-    waiting_.emplace_back(estimate, std::move(serial_camera));
+  /// An estimate, in order of time, what the serial camera alone says at the same time, and the vehicles
+  /// tracked then.
+  void add(const LaneEstimate& estimate, LaneEstimate serial_camera, std::span<const TrackedObject> objects) {
+    waiting_.push_back({estimate, std::move(serial_camera), {objects.begin(), objects.end()}});
   }
 
   /// Judges what still waits, and says what came of it all.
   EvaluationResult finish();
 
  private:
-  using Cycle = std::pair<LaneEstimate, LaneEstimate>;
+  struct Cycle {
+    LaneEstimate estimate;
+    LaneEstimate serial_camera;
+    std::vector<TrackedObject> objects;
+  };
 
   void judge(const Cycle& cycle);
   void forget_frames();
 
   ExactTruthEvaluation evaluation_;
+  TrackingJudge tracking_{TrackingJudgeConfig{}};
   std::vector<TrueFrame> frames_;
   std::vector<Cycle> waiting_;
 };

@@ -11,6 +11,7 @@
 #include "cli/camera_benchmark_command.hpp"
 #include "cli/command_line.hpp"
 #include "cli/label_benchmark_command.hpp"
+#include "cli/tracking_benchmark_command.hpp"
 
 namespace lanefuse {
 namespace {
@@ -95,6 +96,27 @@ void add_cameras(CLI::App& benchmark, CommandLine& line) {
   finish(command, line, options, benchmark_cameras);
 }
 
+void add_tracking(CLI::App& benchmark, CommandLine& line) {
+  auto& options = line.make<TrackingBenchmarkOptions>();
+  CLI::App& command = *benchmark.add_subcommand(
+      "tracking", "simulate drives and judge the tracks of the vehicles around, beside a plain tracker's");
+  CLI::Option* km = command.add_option("--km", options.km, "length of way of each seed [km]");
+  km->check(CLI::Range(0.05, 100'000.0))->capture_default_str();
+  command.add_option("--hours", options.hours, "at least so long a drive of each seed [h]")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->excludes(km);
+  command.add_option("--seeds", options.seeds, "as in 1-3,9")->capture_default_str();
+  command.add_option("--road", options.road, "gentle or curved")
+      ->check(CLI::IsMember({"gentle", "curved"}))
+      ->capture_default_str();
+  command
+      .add_option("--guard-rail-mirrors", options.guard_rail_mirrors,
+                  "most ghosts beside guard rails a scan, if not the preset's")
+      ->check(CLI::Range(0, 100));
+  command.add_option("--jobs", options.jobs, "drives at a time, else one a core")->check(CLI::Range(1, 4096));
+  finish(command, line, options, benchmark_tracking);
+}
+
 void add_labels(CLI::App& benchmark, CommandLine& line) {
   auto& options = line.make<LabelBenchmarkOptions>();
   CLI::App& command = *benchmark.add_subcommand(
@@ -134,6 +156,7 @@ void add_benchmark(CommandLine& line) {
   command.add_flag("--no-times", options.no_times, "leave out wall-clock times: equal runs, equal bytes");
   add_cameras(command, line);
   add_labels(command, line);
+  add_tracking(command, line);
   add_merge(command, line);
   add_table(command, line);
   add_compare(command, line);

@@ -10,6 +10,7 @@
 #include "evaluation/ego_path.hpp"
 #include "evaluation/exact_truth.hpp"
 #include "evaluation/serial_camera_baseline.hpp"
+#include "evaluation/tracking_judge.hpp"
 #include "evaluation/true_frames.hpp"
 #include "recording/drive_reader.hpp"
 #include "simulation/preset.hpp"
@@ -26,7 +27,7 @@ std::vector<Highlight> judge_all(const EvaluateOptions& options, const std::vect
   LaneRecord record;
   while (reader.next_without_features(record)) {
     highlights.add(record, [&reader](LaneRecord& kept) { reader.complete(kept); });
-    judge(record.estimate);
+    judge(record);
     progress.show_seconds(to_seconds(record.estimate.time - *highlights.first()));
   }
   refuse_damage(options.lanes, reader.report());
@@ -68,12 +69,15 @@ std::optional<SurveyedTruthConfig> survey_of(const EvaluateOptions& options) {
 
 Judged judge_by_road(const EvaluateOptions& options, const LanesAndTruth& context, const TrueRoad& road) {
   ExactTruthEvaluation evaluation(road, survey_of(options));
+  TrackingJudge tracking{TrackingJudgeConfig{}};
   std::unique_ptr<SerialCameraReplay> camera;
   if (options.serial_camera) camera = std::make_unique<SerialCameraReplay>(context.drive);
   Judged judged;
-  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneEstimate& estimate) {
+  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneRecord& record) {
+    const LaneEstimate& estimate = record.estimate;
     const auto frame = frame_at(context.truth->frames, estimate.time);
     if (!frame) return evaluation.add_without_truth(estimate);
+    tracking.add(*frame, record.objects);
     if (!camera) return evaluation.add(estimate, *frame);
     const LaneEstimate alone = camera->at(estimate.time);
     evaluation.add(estimate, *frame, &alone);
@@ -81,6 +85,7 @@ Judged judge_by_road(const EvaluateOptions& options, const LanesAndTruth& contex
   if (camera) camera->finish();
   judged.result = evaluation.result();
   judged.trace = evaluation.trace();
+  if (const TrackingFigures figures = tracking.figures(); figures.judged()) judged.result.tracking = figures;
   return judged;
 }
 
@@ -108,8 +113,8 @@ Judged judge_by_map(const EvaluateOptions& options, const LanesAndTruth& context
 Judged judge_by_path(const EvaluateOptions& options, const LanesAndTruth& context) {
   EgoPathEvaluation evaluation(context.truth->frames);
   Judged judged;
-  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneEstimate& estimate) {
-    evaluation.add(estimate, estimate.witnesses > 0);
+  judged.highlights = judge_all(options, context.truth->frames, [&](const LaneRecord& record) {
+    evaluation.add(record.estimate, record.estimate.witnesses > 0);
   });
   judged.result = evaluation.result();
   return judged;

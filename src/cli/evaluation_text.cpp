@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/tracking_text.hpp"
 #include "evaluation/table_one.hpp"
 
 namespace lanefuse {
@@ -84,6 +85,7 @@ std::string to_table(const EvaluationResult& result) {
   if (result.baselines) return heading(result) + path_table(result);
   std::string text = heading(result) + road_table(result) + rates(result);
   if (result.serial_camera) text += camera_table(*result.serial_camera);
+  if (result.tracking) text += fmt::format("\n{}", to_text({{"vehicles tracked", *result.tracking}}));
   return text;
 }
 

@@ -181,4 +181,24 @@ Chart condition_chart(const std::string& title, const std::string& axis,
   return chart;
 }
 
+Chart tracking_chart(const TrackingFigures& figures) {
+  constexpr double kReach = TrackingFigures::kBinLength * TrackingFigures::kBins;
+  Chart chart{"Tracked vehicles: lateral RMSE by range",
+              {"distance ahead [m]", 0, kReach, TrackingFigures::kBinLength},
+              {},
+              {}};
+  Points rmse;
+  Points stated;
+  for (std::size_t bin = 0; bin < TrackingFigures::kBins; ++bin) {
+    const TrackErrors& errors = figures.ahead[bin];
+    const double middle = (static_cast<double>(bin) + 0.5) * TrackingFigures::kBinLength;
+    rmse.emplace_back(middle, errors.lateral_rmse());
+    stated.emplace_back(middle, errors.stated_lateral());
+  }
+  chart.series.push_back({"measured", rmse, kAdjacentColour, Marker::circle});
+  chart.series.push_back({"stated by the tracks", stated, "muted", std::nullopt, true});
+  chart.y = axis_from_zero("RMSE [m]", largest_value(chart.series), 6);
+  return chart;
+}
+
 }  // namespace lanefuse

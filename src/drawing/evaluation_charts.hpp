@@ -29,4 +29,7 @@ Chart coverage_chart(const EvaluationResult& result);
 Chart condition_chart(const std::string& title, const std::string& axis,
                       const std::vector<ConditionStatistics>& conditions, bool whole_numbers);
 
+/// Lateral RMSE of the tracked vehicles by their distance ahead, at the middle of each range.
+Chart tracking_chart(const TrackingFigures& figures);
+
 }  // namespace lanefuse

@@ -22,6 +22,8 @@ std::string paper_section(const EvaluationResult& result);
 std::string camera_section(const EvaluationResult& result);
 /// Error against traffic and against the vehicle ahead, where the truth is a road.
 std::string traffic_section(const EvaluationResult& result);
+/// The vehicles around, where they were tracked.
+std::string tracking_section(const EvaluationResult& result);
 /// The drive, and the moments that know their place, on the map.
 std::string map_section(const Report& report);
 /// Table I's columns and more, by distance.

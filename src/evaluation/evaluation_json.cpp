@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "evaluation/tracking_json.hpp"
+
 namespace lanefuse {
 namespace {
 
@@ -96,6 +98,7 @@ void add_road_figures(Json& json, const EvaluationResult& result) {
     json["serial_camera"] = {{"extrapolated", deviations(camera->extrapolated)},
                              {"within_range", deviations(camera->within_range)}};
   }
+  if (result.tracking) json["tracking"] = to_json(*result.tracking);
   if (const auto& survey = result.surveyed) {
     json["surveyed"] = {{"ego_m", survey->ego},
                         {"adjacent_m", survey->adjacent},

@@ -9,6 +9,7 @@
 
 #include "evaluation/deviation.hpp"
 #include "evaluation/surveyed_truth.hpp"
+#include "evaluation/tracking_figures.hpp"
 #include "sensors/drive.hpp"
 
 namespace lanefuse {
@@ -92,6 +93,7 @@ struct EvaluationResult {
   std::vector<ConditionStatistics> by_vehicles_ahead;  ///< number of vehicles ahead: see TrafficAhead
   std::vector<ConditionStatistics> by_gap_ahead;       ///< [m] to the next vehicle in the ego lane
   std::optional<SerialCameraStatistics> serial_camera;
+  std::optional<TrackingFigures> tracking;  ///< where vehicles were tracked and the true ones are known
 
   /// Only against the ego path.
   std::optional<BaselineStatistics> baselines;

@@ -123,6 +123,31 @@ class Times(BenchmarkTest):
         self.succeed("benchmark", "merge", "a.jsonl", "b.jsonl", "-o", "c.jsonl")
 
 
+class Tracking(BenchmarkTest):
+    def test_two_trackers_are_judged_side_by_side(self):
+        said = self.succeed("benchmark", "tracking", "--km", 0.3, "--seeds", "1-2", "--guard-rail-mirrors", 2)
+        self.assertEqual((said["drives"], said["km"], said["road"]), (2, 0.6, "gentle"))
+        for tracker in (said["tracking"], said["nearest_neighbour"]):
+            self.assertLessEqual({"gospa_m", "mota", "idf1", "id_switches_per_vehicle_hour", "false_confirmed_per_hour",
+                                  "false_witnesses_per_hour", "time_to_confirm_s", "near"}, set(tracker))
+            for by_range in ("range_from_m", "lateral_rmse_m", "heading_rmse_deg", "n"):
+                self.assertEqual(len(tracker[by_range]), 8)
+        self.assertEqual(said["tracking"]["vehicles"], said["nearest_neighbour"]["vehicles"])
+        self.assertGreater(said["tracking"]["hits"], 0)
+
+    def test_for_people_it_is_a_table(self):
+        text = self.call("benchmark", "tracking", "--hours", 0.002).stdout
+        self.assertIn("nearest neighbour", text)
+        self.assertIn("GOSPA", text)
+        self.assertIn("1 drive, 0.2 km", text)
+
+    def test_wrong_use_is_named(self):
+        self.refuse(2, "benchmark", "tracking", "--road", "sharp", naming="--road")
+        self.refuse(2, "benchmark", "tracking", "--km", 1, "--hours", 1, naming="--hours")
+        self.refuse(2, "benchmark", "tracking", "--seeds", "x", naming="--seeds")
+        self.refuse(2, "benchmark", "tracking", "--guard-rail-mirrors", -1, naming="--guard-rail-mirrors")
+
+
 class WrongUse(BenchmarkTest):
     def test_what_is_missing_or_unknown_is_named(self):
         self.refuse(2, "benchmark", naming="--output")

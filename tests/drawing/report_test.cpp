@@ -116,6 +116,26 @@ TEST(WriteReport, PutsTheSerialCameraBesideTheEgoLane) {
   EXPECT_TRUE(contains(html, "serial camera, within its range [m]"));
 }
 
+TEST(WriteReport, TellsOfTheVehiclesTracked) {
+  EvaluationResult result = believable_exact_result();
+  EXPECT_FALSE(contains(write_report(believable_report(result)), "Vehicles tracked"));
+  TrackingFigures& tracking = result.tracking.emplace();
+  tracking.frames = 1000;
+  tracking.hours = 0.5;
+  tracking.gospa_sum = 1230;
+  tracking.all = {.vehicles = 5000, .hits = 4900, .false_tracks = 10, .id_switches = 2, .id_hits = 4800};
+  tracking.tracks = 40;
+  tracking.false_confirmed = 3;
+  for (int i = 0; i < 100; ++i) tracking.ahead[2].add(0.25, 0.2, 0.01);
+  const std::string html = write_report(believable_report(result));
+  EXPECT_EQ(testing::malformed(html), "");
+  EXPECT_FALSE(testing::prints_nan(html));
+  for (const char* part : {"Vehicles tracked", "1.23 m a frame", "3 of 40, 6.00 an hour", "<td>40-60</td>",
+                           "<td>0.25</td>", "lateral RMSE by range", "<td>98.0 %</td>"}) {
+    EXPECT_TRUE(contains(html, part)) << part;
+  }
+}
+
 DeviationStatistics at(double distance, double rmse, double availability) {
   return {distance, 0, rmse, rmse, 2 * rmse, availability, 100};
 }
