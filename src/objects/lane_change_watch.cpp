@@ -10,16 +10,13 @@
 namespace lanefuse {
 namespace {
 
-using Course = Gaussian<3>;  ///< heading [rad], curvature [1/m], its change [1/m^2]
 using Row = Eigen::Matrix<double, 1, 3>;
 
 constexpr double kHeadingSigma = 0.02;    ///< [rad] of our own heading against the road
-constexpr double kCurvatureSigma = 5e-4;  ///< [1/m] of the road against our own way
-constexpr double kChangeSigma = 1e-5;     ///< [1/m^2]
+constexpr double kCurvatureSigma = 2e-4;  ///< [1/m] of the road against our own way
+constexpr double kChangeSigma = 2e-6;     ///< [1/m^2]
 constexpr double kDriverSigma = 0.006;    ///< [rad] of drivers about the road's direction
 constexpr double kReach = 160;            ///< [m]
-
-Row row_at(double x) { return {1, x, x * x / 2}; }
 
 }  // namespace
 
@@ -39,46 +36,47 @@ std::optional<LaneChangeWatch::Witness> LaneChangeWatch::witness(const ObjectTra
   return Witness{at.x(), heading, std::sqrt(std::max(0.0, variance)) / speed};
 }
 
-/// Twice: the second time without those that stood out.
-Gaussian<3> LaneChangeWatch::course(double own_curvature) const {
-  Course prior;
-  prior.mean << 0, own_curvature, 0;
-  prior.covariance = Eigen::Vector3d(kHeadingSigma, kCurvatureSigma, kChangeSigma).cwiseAbs2().asDiagonal();
-  Course course = prior;
-  for (int round = 0; round < 2; ++round) {
-    Course fitted = prior;
-    for (const Witness& seen : witnesses_) {
-      const Row row = row_at(seen.x);
-      const double variance = seen.sigma * seen.sigma + kDriverSigma * kDriverSigma;
-      const double surprise = seen.heading - row.dot(course.mean);
-      const double expected = variance + (row * course.covariance * row.transpose()).value();
-      constexpr double kStandsOut = 4;  // squared sigmas
-      const double doubt = std::max(1.0, surprise * surprise / (kStandsOut * expected));
-      update<3, 1>(fitted, Eigen::Matrix<double, 1, 1>(seen.heading - row.dot(fitted.mean)), row,
-                   Eigen::Matrix<double, 1, 1>(variance * doubt * doubt));
-    }
-    course = fitted;
+/// Those that stand out from what is known count less.
+RoadCourse LaneChangeWatch::fitted(const RoadCourse& prior, const RoadCourse& known) const {
+  constexpr double kStandsOut = 4;  // squared sigmas
+  RoadCourse course = prior;
+  for (const Witness& seen : witnesses_) {
+    const RoadCourse::Estimate expected = known.heading(seen.x);
+    const double variance = seen.sigma * seen.sigma + kDriverSigma * kDriverSigma;
+    const double surprise = seen.heading - expected.value;
+    const double doubt =
+        std::max(1.0, surprise * surprise / (kStandsOut * (variance + expected.sigma * expected.sigma)));
+    const Row row(1, seen.x, seen.x * seen.x / 2);
+    update<3, 1>(course.line, Eigen::Matrix<double, 1, 1>(seen.heading - course.heading(seen.x).value), row,
+                 Eigen::Matrix<double, 1, 1>(variance * doubt * doubt));
   }
   return course;
 }
 
-void LaneChangeWatch::look(const SightingSet& look, double seconds, const ObjectTrackerConfig& config,
-                           std::span<ObjectTrack> tracks) {
+RoadCourse LaneChangeWatch::course(const SightingSet& look, const ObjectTrackerConfig& config,
+                                   std::span<const ObjectTrack> tracks) {
   const Pose2 vehicle_from_odometry = look.odometry_from_vehicle.inverse();
   witnesses_.clear();
   for (const ObjectTrack& track : tracks) {
     if (const auto seen = witness(track, vehicle_from_odometry, config.min_speed))
       witnesses_.push_back(*seen);
   }
-  const Course course = this->course(look.own_curvature);
+  RoadCourse prior;
+  prior.line.mean << 0, look.own_curvature, 0;
+  prior.line.covariance =
+      Eigen::Vector3d(kHeadingSigma, kCurvatureSigma, kChangeSigma).cwiseAbs2().asDiagonal();
+  return fitted(prior, fitted(prior, prior));
+}
+
+void LaneChangeWatch::mark(const SightingSet& look, double seconds, const RoadCourse& course,
+                           const ObjectTrackerConfig& config, std::span<ObjectTrack> tracks) const {
+  const Pose2 vehicle_from_odometry = look.odometry_from_vehicle.inverse();
   for (ObjectTrack& track : tracks) {
     const auto seen = witness(track, vehicle_from_odometry, config.min_speed);
     if (!seen) continue;
-    const Row row = row_at(seen->x);
-    const double speed = track.speed();
-    const double across = std::abs(seen->heading - row.dot(course.mean)) * speed;
-    const double sigma =
-        speed * std::sqrt(seen->sigma * seen->sigma + (row * course.covariance * row.transpose()).value());
+    const RoadCourse::Estimate road = course.heading(seen->x);
+    const double across = std::abs(seen->heading - road.value) * track.speed();
+    const double sigma = std::hypot(seen->sigma, road.sigma) * track.speed();
     const bool moves = across > config.change_speed && across > 2 * sigma;
     track.across_s = std::clamp(track.across_s + (moves ? seconds : -seconds), 0.0, 2 * config.change_s);
     if (track.across_s > config.change_s) track.changing_lane = true;

@@ -8,17 +8,21 @@
 
 #include "core/pose2.hpp"
 #include "objects/object_track.hpp"
+#include "objects/road_course.hpp"
 
 namespace lanefuse {
 
-/// Marks the tracks that move across the road. Which way the road goes ahead is what all vehicles' headings
-/// agree upon, but for those that differ: a line of headings, curvature and its change along the way, from
-/// our own place and heading on.
+/// Marks the tracks that move across the road. Which way the road goes is what all vehicles' headings agree
+/// upon, but for those that differ, beside the curvature of our own way.
 class LaneChangeWatch {
  public:
-  /// `seconds` since the last call.
-  void look(const SightingSet& look, double seconds, const ObjectTrackerConfig& config,
-            std::span<ObjectTrack> tracks);
+  /// The course of the road by these tracks.
+  RoadCourse course(const SightingSet& look, const ObjectTrackerConfig& config,
+                    std::span<const ObjectTrack> tracks);
+
+  /// `seconds` since the last look.
+  void mark(const SightingSet& look, double seconds, const RoadCourse& course,
+            const ObjectTrackerConfig& config, std::span<ObjectTrack> tracks) const;
 
  private:
   struct Witness {
@@ -30,7 +34,7 @@ class LaneChangeWatch {
 
   static std::optional<Witness> witness(const ObjectTrack& track, const Pose2& vehicle_from_odometry,
                                         double min_speed);
-  [[nodiscard]] Gaussian<3> course(double own_curvature) const;
+  [[nodiscard]] RoadCourse fitted(const RoadCourse& prior, const RoadCourse& known) const;
 };
 
 }  // namespace lanefuse

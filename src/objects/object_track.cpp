@@ -35,22 +35,32 @@ struct SeenPoint {
   double across_sigma = 0;  ///< [m]
 };
 
-SeenPoint seen_point(const ObjectTrack& track, const Eigen::Vector2d& sensor,
+/// Of the faces that are turned to the sensor the one on which the measured place lies best: the end that is
+/// nearer, anywhere along its width, or the flank, anywhere along its length.
+SeenPoint seen_point(const ObjectTrack& track, const Eigen::Vector2d& sensor, const Eigen::Vector2d& place,
                      const ObjectTrackerConfig& config) {
   const Eigen::Vector2d ahead = direction(track.heading);
-  const Eigen::Vector2d from_rear = sensor - track.position();
-  const double along = from_rear.dot(ahead);
-  const double across = from_rear.dot(left_of(ahead));
+  const auto in_vehicle = [&](const Eigen::Vector2d& point) {
+    const Eigen::Vector2d from_rear = point - track.position();
+    return Eigen::Vector2d(from_rear.dot(ahead), from_rear.dot(left_of(ahead)));
+  };
+  const Eigen::Vector2d from = in_vehicle(sensor);
+  const Eigen::Vector2d at = in_vehicle(place);
   const double half = track.width / 2;
-  SeenPoint point{std::clamp(along, 0.0, track.length()), 0, config.depth, config.scatter};
-  // From where its flank is seen under a wide angle, reflections come from anywhere on it.
-  const double flank = std::max(0.0, std::abs(across) - half);
-  const double off_end = std::max({0.0, -along, along - track.length()});
-  const double beside = flank / std::max(1e-3, std::hypot(flank, off_end));
-  point.along_sigma += 0.35 * track.length() * beside * beside;
-  point.across = std::copysign(half, across) * beside * beside;
-  point.across_sigma += 0.2 * beside;
-  return point;
+  const double length = track.length();
+  const double flank_side = std::copysign(half, from.y());
+  const SeenPoint end{from.x() > length / 2 ? length : 0, 0, config.depth, config.scatter};
+  const SeenPoint flank{std::clamp(at.x(), 0.0, length), flank_side, 0.3 * length, config.flank_sigma};
+  // From straight ahead or behind, and from afar, no flank is seen.
+  constexpr double kSlant = 0.12;
+  const double off_side = std::abs(from.y()) - half;
+  const double before_end = std::max({0.0, -from.x(), from.x() - length});
+  if (off_side < kSlant * before_end || off_side < 0) return end;
+  if (from.x() > 0 && from.x() < length) return flank;
+  const double off_end = std::abs(at.x() - end.along);
+  const double off_flank = std::hypot(at.y() - flank_side, std::max({0.0, -at.x(), at.x() - length}));
+  // The corner belongs to the end, whose place along is worth more.
+  return off_flank + config.depth < off_end ? flank : end;
 }
 
 /// [rad] From the middle of the rear to the middle of all that a camera sees of the vehicle.
@@ -117,7 +127,9 @@ void Verification::add(double evidence, const ObjectTrackerConfig& config) {
   if (odds < config.refused_odds) verified = false;
 }
 
-double ObjectTrack::length() const { return width > kTruckWidth ? kTruckLength : kCarLength; }
+double ObjectTrack::length() const {
+  return std::max(seen_length, width > kTruckWidth ? kTruckLength : kCarLength);
+}
 
 ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const ObjectTrackerConfig& config,
                         double own_heading) {
@@ -128,7 +140,11 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   auto& [mean, covariance] = track.state;
   covariance.setZero();
   const double angle = look.odometry_from_sensor.heading + sighting.bearing;
-  mean.segment<2>(kTrackX) = look.odometry_from_sensor.position() + sighting.range * direction(angle);
+  const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * direction(angle);
+  // Of what is behind us the front is seen.
+  const Eigen::Vector2d ahead = direction(own_heading);
+  const bool behind = (place - look.odometry_from_vehicle.position()).dot(ahead) < -track.length();
+  mean.segment<2>(kTrackX) = behind ? Eigen::Vector2d(place - track.length() * ahead) : place;
   covariance.block<2, 2>(kTrackX, kTrackX) =
       spread(angle, sighting.range_sigma, sighting.bearing_sigma * sighting.range) +
       spread(own_heading, config.depth, config.scatter);
@@ -149,12 +165,15 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   return track;
 }
 
-void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
-             const ObjectTrackerConfig& config) {
+void predict(ObjectTrack& track, double seconds, const OwnWay& way, const ObjectTrackerConfig& config) {
   using StateMatrix = Eigen::Matrix<double, kTrackStateSize, kTrackStateSize>;
   const double keep = std::exp(-seconds / config.wander_tau);
   StateMatrix transition = StateMatrix::Identity();
-  transition(kTrackX, kTrackVx) = transition(kTrackY, kTrackVy) = seconds;
+  // Drivers follow the road.
+  const double turn = track.speed() * way.curvature * seconds;
+  transition.block<2, 2>(kTrackX, kTrackVx) = seconds * rotation(turn / 2);
+  transition.block<2, 2>(kTrackVx, kTrackVx) = rotation(turn);
+  track.heading = wrap_angle(track.heading + turn);
   transition(kTrackWander, kTrackWander) = keep;
   const Eigen::Matrix2d acceleration =
       spread(track.heading, config.acceleration_along, config.acceleration_across);
@@ -165,7 +184,7 @@ void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_posi
   noise.block<2, 2>(kTrackVx, kTrackVx) = acceleration * seconds;
   noise(kTrackWander, kTrackWander) = config.wander_sigma * config.wander_sigma * (1 - keep * keep);
   // Our own dead reckoning turns away: everything swings about us.
-  const Eigen::Vector2d apart = track.position() - own_position;
+  const Eigen::Vector2d apart = track.position() - way.position;
   const double swing = config.ego_yaw_deg * kDegree;
   noise.block<2, 2>(kTrackX, kTrackX) +=
       left_of(apart) * left_of(apart).transpose() * (swing * swing * seconds);
@@ -182,13 +201,16 @@ TrackObservation observe(const ObjectTrack& track, const SightingSet& look, cons
     observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, doubt);
     return observation;
   }
-  const SeenPoint point = seen_point(track, look.odometry_from_sensor.position(), config);
+  TrackObservation observation = observe_place(track, look, sighting, sighting.bearing);
+  const Eigen::Vector2d place = track.position() + observation.residual.head<2>();
+  const SeenPoint point = seen_point(track, look.odometry_from_sensor.position(), place, config);
   const Eigen::Vector2d ahead = direction(track.heading);
   const Eigen::Vector2d left = left_of(ahead);
-  TrackObservation observation = observe_place(track, look, sighting, sighting.bearing);
-  observation.residual.head<2>() -=
-      point.along * ahead + (point.across + track.state.mean[kTrackWander]) * left;
-  observation.jacobian.block<2, 1>(0, kTrackWander) = left;
+  observation.residual.head<2>() -= point.along * ahead + point.across * left;
+  if (point.across == 0) {
+    observation.residual.head<2>() -= track.state.mean[kTrackWander] * left;
+    observation.jacobian.block<2, 1>(0, kTrackWander) = left;
+  }
   observation.noise.topLeftCorner<2, 2>() += spread(track.heading, point.along_sigma, point.across_sigma);
   return observation;
 }

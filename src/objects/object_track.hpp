@@ -35,6 +35,8 @@ struct ObjectTrack {
   double heading = 0;        ///< [rad] in the odometry frame; of its motion while it moved last
   double width = 1.8;        ///< [m]
   double width_sigma = 0.3;  ///< [m]
+  double seen_length = 0;    ///< [m] along which reflections have been seen on it
+  int longer = 0;            ///< reflections of late that say it is longer
   double odds = 0;           ///< log odds that it exists
   int hits = 0;              ///< looks in which it was seen
   bool confirmed = false;
@@ -52,7 +54,7 @@ struct ObjectTrack {
   [[nodiscard]] Eigen::Vector2d position() const { return state.mean.segment<2>(kTrackX); }
   [[nodiscard]] Eigen::Vector2d velocity() const { return state.mean.segment<2>(kTrackVx); }
   [[nodiscard]] double speed() const { return velocity().norm(); }
-  /// [m] Nobody measures it: trucks are wider than cars.
+  /// [m] As far as its flank has been seen, or what is usual: trucks are wider than cars.
   [[nodiscard]] double length() const;
 };
 
@@ -69,8 +71,12 @@ struct TrackObservation {
 ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const ObjectTrackerConfig& config,
                         double own_heading);
 
-void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
-             const ObjectTrackerConfig& config);
+/// What a prediction must know beside the track: where we are, and how the road bends at the track.
+struct OwnWay {
+  Eigen::Vector2d position;  ///< [m] odometry frame
+  double curvature = 0;      ///< [1/m] of the road where the track is
+};
+void predict(ObjectTrack& track, double seconds, const OwnWay& way, const ObjectTrackerConfig& config);
 
 /// The vehicle's face that the sensor sees decides which of its points is seen: the rear from behind, the
 /// front from ahead, anywhere along it from beside.

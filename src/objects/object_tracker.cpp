@@ -11,6 +11,42 @@
 namespace lanefuse {
 namespace {
 
+/// Whether it surely goes faster than that, along its heading: what is passed by seems to move across.
+bool drives(const ObjectTrack& track, double min_speed) {
+  const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
+  const double variance = ahead.dot(track.state.covariance.block<2, 2>(kTrackVx, kTrackVx) * ahead);
+  return std::abs(track.velocity().dot(ahead)) - 3 * std::sqrt(std::max(0.0, variance)) > min_speed;
+}
+
+/// How the road bends where the track is; what comes towards us or crosses is thought to go straight on.
+OwnWay way_at(const ObjectTrack& track, const RoadCourse& course, const Pose2& odometry_from_vehicle) {
+  constexpr double kAlong = 0.5;  // [rad]
+  constexpr double kReach = 200;  // [m]
+  const Eigen::Vector2d at = odometry_from_vehicle.inverse() * track.position();
+  const double heading = wrap_angle(track.heading - odometry_from_vehicle.heading);
+  const bool follows = std::abs(heading - course.heading(at.x()).value) < kAlong && std::abs(at.x()) < kReach;
+  return {odometry_from_vehicle.position(), follows ? course.curvature(at.x()) : 0};
+}
+
+/// What drives exactly beside another, further away than a road of three lanes is wide, with our own car on
+/// the same side of the middle between them, and was never seen by a camera, is that other one in the mirror
+/// of a guard rail in that middle.
+bool is_mirror_of(const ObjectTrack& ghost, const ObjectTrack& real, const Eigen::Vector2d& own_position) {
+  constexpr double kBeside = 4;        // [m] along
+  constexpr double kFurtherOut = 8.4;  // [m] at least: twice the way from a lane's middle to the rail
+  constexpr double kFurthest = 45;     // [m]
+  constexpr double kAsFast = 1.5;      // [m/s] along
+  const Eigen::Vector2d ahead(std::cos(real.heading), std::sin(real.heading));
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  const Eigen::Vector2d apart = ghost.position() - real.position();
+  const double across = apart.dot(left);
+  if (std::abs(apart.dot(ahead)) > kBeside || std::abs(across) < kFurtherOut || std::abs(across) > kFurthest)
+    return false;
+  if (std::abs((ghost.velocity() - real.velocity()).dot(ahead)) > kAsFast) return false;
+  const double own = (own_position - real.position()).dot(left);
+  return (across > 0 ? own : -own) < std::abs(across) / 2;
+}
+
 /// Looks of one moment are taken in the order of their sensors, however they came.
 auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sensor_id); }
 
@@ -69,11 +105,13 @@ void ObjectTracker::process(const SightingSet& look) {
 void ObjectTracker::predict_all(const SightingSet& look) {
   const double seconds = state_.time ? to_seconds(look.measured_at - *state_.time) : 0;
   state_.time = look.measured_at;
+  state_.barriers.look(look, seconds);
   if (seconds <= 0) return;
   for (ObjectTrack& track : state_.tracks) {
-    predict(track, seconds, look.odometry_from_vehicle.position(), config_);
+    predict(track, seconds, way_at(track, state_.course, look.odometry_from_vehicle), config_);
   }
-  lane_changes_.look(look, seconds, config_, state_.tracks);
+  state_.course = lane_changes_.course(look, config_, state_.tracks);
+  lane_changes_.mark(look, seconds, state_.course, config_, state_.tracks);
 }
 
 void ObjectTracker::associate(const SightingSet& look) {
@@ -158,15 +196,21 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
   cluster_of_track_.resize(known);
 }
 
-/// Within the body of a confirmed track, as fast as it is.
-bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& sighting) const {
+/// On the body of a confirmed track, as fast as it is. Nobody follows so near at such a speed: what is seen a
+/// little beyond its ends is more of the same vehicle.
+bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& sighting) {
   constexpr double kAround = 1.2;  // [m] about the body
+  constexpr double kFast = 10;     // [m/s] from which it holds
+  constexpr double kMore = 6;      // [m] at a time
+  constexpr double kLongest = 20;  // [m]
+  constexpr double kNear = 25;     // [m] to the sensor: further off, places are too uncertain
+  constexpr int kSurely = 8;       // times
   const double angle = look.odometry_from_sensor.heading + sighting.bearing;
   const Eigen::Vector2d sight(std::cos(angle), std::sin(angle));
   const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * sight;
   const double doubt = 2 * std::max(sighting.range_sigma, sighting.bearing_sigma * sighting.range);
-  return std::any_of(state_.tracks.begin(), state_.tracks.end(), [&](const ObjectTrack& track) {
-    if (!track.confirmed) return false;
+  for (ObjectTrack& track : state_.tracks) {
+    if (!track.confirmed) continue;
     const Eigen::Vector2d from_rear = place - track.position();
     const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
     const double along = from_rear.dot(ahead);
@@ -174,45 +218,53 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
     const double speed = sighting.range_rate ? *sighting.range_rate + look.velocity.dot(sight) : 0;
     const bool as_fast =
         !sighting.range_rate || std::abs(speed - track.velocity().dot(sight)) < 2 * config_.same_range_rate;
-    return as_fast && along > -kAround - doubt && along < track.length() + kAround + doubt &&
-           std::abs(across) < track.width / 2 + kAround;
-  });
+    if (!as_fast || std::abs(across) > track.width / 2 + kAround) continue;
+    const double length = track.length();
+    if (along > -kAround - doubt && along < length + kAround + doubt) return true;
+    const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
+                      std::abs(across) < track.width;
+    const double beyond = along < 0 ? -along : along - length;
+    if (!more || beyond > kMore || length + beyond > kLongest) continue;
+    if (++track.longer < kSurely) return true;
+    track.longer = 0;
+    track.seen_length = length + beyond;
+    // What was taken for its rear was not.
+    if (along < 0) track.state.mean.segment<2>(kTrackX) += along * ahead;
+    return true;
+  }
+  return false;
 }
 
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
     if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
-    if (track.confirmed && track.speed() > config_.min_speed) track.has_moved = true;
+    if (track.confirmed && drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }
-  refuse_mirrors(look.odometry_from_vehicle.position());
+  refuse_mirrors(look);
   merge_doubles();
   forget(look.measured_at);
 }
 
-/// What drives exactly beside another, further out than roads of three lanes are wide, and was never seen by
-/// a camera, is that other one in the mirror of a guard rail.
-void ObjectTracker::refuse_mirrors(const Eigen::Vector2d& own_position) {
-  constexpr double kBeside = 4;        // [m] along
-  constexpr double kFurtherOut = 8.4;  // [m] at least: twice the way from a lane's middle to the rail
-  constexpr double kFurthest = 45;     // [m]
-  constexpr double kAsFast = 1.5;      // [m/s] along
+void ObjectTracker::refuse_mirrors(const SightingSet& look) {
+  const Pose2 vehicle_from_odometry = look.odometry_from_vehicle.inverse();
   for (ObjectTrack& ghost : state_.tracks) {
     if (ghost.camera.verified || !ghost.confirmed) continue;
-    const double ghost_range = (ghost.position() - own_position).norm();
+    ghost.refused = ghost.refused || is_beyond_barrier(ghost, vehicle_from_odometry);
     for (const ObjectTrack& real : state_.tracks) {
       if (&real == &ghost || !real.confirmed || real.refused) continue;
-      const Eigen::Vector2d ahead(std::cos(real.heading), std::sin(real.heading));
-      const Eigen::Vector2d apart = ghost.position() - real.position();
-      const double along = std::abs(apart.dot(ahead));
-      const double across = std::abs(ahead.x() * apart.y() - ahead.y() * apart.x());
-      const double faster = std::abs((ghost.velocity() - real.velocity()).dot(ahead));
-      const bool further = ghost_range + 1 > (real.position() - own_position).norm();
-      if (along < kBeside && across > kFurtherOut && across < kFurthest && faster < kAsFast && further) {
-        ghost.refused = true;
-      }
+      if (is_mirror_of(ghost, real, look.odometry_from_vehicle.position())) ghost.refused = true;
     }
   }
+}
+
+bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& vehicle_from_odometry) const {
+  constexpr double kBeyond = 0.7;  // [m]
+  constexpr double kOurWay = 0.5;  // [rad]
+  if (std::abs(wrap_angle(track.heading + vehicle_from_odometry.heading)) > kOurWay) return false;
+  const RoadCourse::Estimate offset = state_.course.offset(vehicle_from_odometry * track.position());
+  const double margin = kBeyond + 2 * offset.sigma;
+  return offset.value > state_.barriers.left() + margin || offset.value < state_.barriers.right() - margin;
 }
 
 /// Two tracks of one vehicle: the older one stays.
@@ -256,7 +308,7 @@ void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
     if (!known.confirmed || known.refused || !is_vehicle) continue;
     ObjectTrack track = known;
     const double seconds = to_seconds(time - *state_.time);
-    if (seconds > 0) predict(track, seconds, odometry_from_vehicle.position(), config_);
+    if (seconds > 0) predict(track, seconds, way_at(track, state_.course, odometry_from_vehicle), config_);
     objects.push_back(described(track, vehicle_from_odometry, config_));
   }
 }
@@ -265,6 +317,8 @@ void ObjectTracker::reset() {
   state_.time.reset();
   state_.next_id = 1;
   state_.tracks.clear();
+  state_.barriers = {};
+  state_.course = {};
   held_ = 0;
 }
 

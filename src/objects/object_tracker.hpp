@@ -9,6 +9,7 @@
 
 #include "core/assignment.hpp"
 #include "core/pose2.hpp"
+#include "objects/barrier_watch.hpp"
 #include "objects/lane_change_watch.hpp"
 #include "objects/object_track.hpp"
 #include "objects/object_tracker_config.hpp"
@@ -41,6 +42,8 @@ class ObjectTracker {
     std::optional<Time> time;
     std::int64_t next_id = 1;
     std::vector<ObjectTrack> tracks;
+    BarrierWatch barriers;
+    RoadCourse course;  ///< as of `time`
   };
   struct Entry {
     State before;
@@ -68,9 +71,10 @@ class ObjectTracker {
   void take(ObjectTrack& track, const SightingSet& look, int cluster);
   void miss(ObjectTrack& track, const SightingSet& look, double detection) const;
   void start_tracks(const SightingSet& look);
-  [[nodiscard]] bool belongs_to_known(const SightingSet& look, const Sighting& sighting) const;
+  bool belongs_to_known(const SightingSet& look, const Sighting& sighting);
   void judge(const SightingSet& look);
-  void refuse_mirrors(const Eigen::Vector2d& own_position);
+  void refuse_mirrors(const SightingSet& look);
+  [[nodiscard]] bool is_beyond_barrier(const ObjectTrack& track, const Pose2& vehicle_from_odometry) const;
   void merge_doubles();
   void forget(Time now);
 };

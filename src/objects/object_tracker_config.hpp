@@ -8,16 +8,17 @@ namespace lanefuse {
 /// numbers come from.
 struct ObjectTrackerConfig {
   // How vehicles move.
-  double acceleration_along = 1.5;   ///< [m/s^2/sqrt(Hz)] process noise along the motion
-  double acceleration_across = 0.2;  ///< [m/s^2/sqrt(Hz)] across it: cars hardly move sideways
+  double acceleration_along = 0.8;   ///< [m/s^2/sqrt(Hz)] process noise along the motion
+  double acceleration_across = 0.45;  ///< [m/s^2/sqrt(Hz)] across it: cars hardly move sideways
   double wander_sigma = 0.3;         ///< [m] of the reflecting point across the rear
   double wander_tau = 1;             ///< [s] for which it stays where it is
   double scatter = 0.25;             ///< [m] of single reflections about it, across
+  double flank_sigma = 0.25;         ///< [m] of reflections on a flank, across
   double depth = 0.25;               ///< [m] of single reflections, along the vehicle
   double start_sigma_across = 0.7;   ///< [m/s] of a new track's speed across our own heading
   double start_sigma_along = 40;     ///< [m/s] along it
   double misalignment_deg = 0.08;    ///< [deg] that all of a sensor's looks share
-  double ego_yaw_deg = 0.1;          ///< [deg/sqrt(s)] by which our own dead reckoning turns away
+  double ego_yaw_deg = 0.03;         ///< [deg/sqrt(s)] by which our own dead reckoning turns away
   // Which sighting belongs to which track.
   double gate = 14;              ///< squared Mahalanobis distance
   double same_along = 3;         ///< [m] reflections of one scan within these three are one vehicle
