@@ -105,7 +105,7 @@ std::optional<BoxDetection> CameraBoxesModel::see(const BoxDetection& exact, dou
 void CameraBoxesModel::add_false_boxes(double reach, std::vector<BoxDetection>& boxes) {
   for (int left = random_.poisson(preset_.false_boxes); left > 0; --left) {
     const double distance = random_.uniform(kNearestFalse, preset_.range);
-    const double half = (camera_.intrinsics().width - 1) / 2 / camera_.intrinsics().fx;
+    const double half = (camera_.intrinsics().width - 1) / 2.0 / camera_.intrinsics().fx;
     const Pose2 place{distance, distance * random_.uniform(-half, half), 0};
     const VehicleBody body{false, 0.1, random_.uniform(1.6, 2.6), random_.uniform(1.3, 2.2)};
     const auto exact = box_of(body, {place, 0}, camera_, last_);

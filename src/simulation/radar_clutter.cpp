@@ -37,8 +37,7 @@ Eigen::Vector2d RadarClutter::new_thing(const Scene& scene, const RadarView& vie
     const auto rail =
         rails_->beside(scene, {scene.ego.station + seen.x(), world_from_ego * Pose2{seen.x(), 0, 0}}, side);
     if (!rail) continue;
-    const Eigen::Vector2d thing =
-        rail->world_from_rail * Eigen::Vector2d(0, side * random_.uniform(0, kVerge));
+    Eigen::Vector2d thing = rail->world_from_rail * Eigen::Vector2d(0, side * random_.uniform(0, kVerge));
     if (view.sees(thing)) return thing;
   }
   return place;

@@ -28,6 +28,12 @@ def chunks(data):
     return [record.content for record in records(data) if record.kind == CHUNK]
 
 
+def topics(data):
+    """The topics on which a sound recording has channels."""
+    found = (r.content for r in records(data) if r.kind == CHANNEL)
+    return {content[8:8 + struct.unpack_from("<I", content, 4)[0]].decode() for content in found}
+
+
 def input_chunks(data):
     """(begin, end) in the file of every chunk with messages of /in."""
     inputs = {struct.unpack_from("<H", r.content)[0] for r in records(data)

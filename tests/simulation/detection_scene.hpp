@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "simulation/guard_rails.hpp"
@@ -57,7 +58,7 @@ template <typename Message>
 Message look(SensorModel& sensor, const Scene& scene) {
   std::vector<Measurement> measurements;
   sensor.observe(scene, measurements);
-  return std::get<Message>(measurements.at(0));
+  return std::move(std::get<Message>(measurements.at(0)));
 }
 
 }  // namespace lanefuse::testing

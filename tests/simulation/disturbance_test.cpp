@@ -11,8 +11,9 @@
 namespace lanefuse {
 namespace {
 
-std::vector<Measurement> drive_with(const std::vector<Disturbance>& disturbances) {
+std::vector<Measurement> drive_with(const std::vector<Disturbance>& disturbances, bool detections = false) {
   SimulationConfig config;
+  config.detections = detections;
   config.km = 0.6;
   config.scenario.disturbances = disturbances;
   DriveSimulation simulation(config, nominal_preset());
@@ -95,6 +96,29 @@ TEST(Disturbance, CamerasSeeNothingInABlackoutAndNotFarAtNight) {
   }
   EXPECT_EQ(features_inside, 0);
   EXPECT_GT(features_outside, 1000);
+}
+
+TEST(Disturbance, WhatBefallsObjectListsBefallsRadarsAndTheObjectCamera) {
+  Disturbance gaps;
+  gaps.first = 5;
+  gaps.sensors = {SensorKind::object_fusion};
+  Disturbance blackout{Disturbance::Kind::blackout};
+  blackout.first = 300;
+  blackout.every = 0;
+  blackout.length = 90;
+  int in_gap = 0, boxes_in_the_dark = 0, echoes_in_the_dark = 0;
+  for (const Measurement& measurement : drive_with({gaps, blackout}, true)) {
+    const double at = seconds_of(stamp_of(measurement).measured_at);
+    const auto* scan = std::get_if<RadarScan>(&measurement);
+    const auto* boxes = std::get_if<CameraBoxes>(&measurement);
+    in_gap += (scan || boxes) && at > 5 && at < 5.79;
+    if (30 * at < 315 || 30 * at > 375) continue;
+    if (scan) echoes_in_the_dark += static_cast<int>(scan->detections.size());
+    if (boxes) boxes_in_the_dark += static_cast<int>(boxes->boxes.size());
+  }
+  EXPECT_EQ(in_gap, 0);
+  EXPECT_EQ(boxes_in_the_dark, 0);
+  EXPECT_GT(echoes_in_the_dark, 100);
 }
 
 TEST(Disturbance, ChangesNeitherTheTrafficNorTheOtherSensors) {

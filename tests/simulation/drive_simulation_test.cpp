@@ -2,94 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/drive_simulation.hpp"
 
-#include <functional>
 #include <map>
-#include <optional>
 #include <set>
-#include <string>
 
 #include <gmock/gmock.h>
 
 #include "core/error.hpp"
+#include "simulation/simulated_drive.hpp"
 
 namespace lanefuse {
 namespace {
 
-struct Drive {
-  Rig rig;
-  std::vector<Measurement> measurements;
-  std::vector<TrueFrame> truth;
-};
-
-Drive drive(const SimulationConfig& config) {
-  DriveSimulation simulation(config, nominal_preset());
-  Drive drive{simulation.rig(), {}, {}};
-  std::vector<Measurement> measurements;
-  std::vector<TrueFrame> truth;
-  while (simulation.step(measurements, truth)) {
-    drive.measurements.insert(drive.measurements.end(), measurements.begin(), measurements.end());
-    drive.truth.insert(drive.truth.end(), truth.begin(), truth.end());
-  }
-  return drive;
-}
-
-SimulationConfig short_drive(std::uint64_t seed) {
-  SimulationConfig config;
-  config.seed = seed;
-  config.km = 0.6;
-  return config;
-}
-
-/// Every bit of some numbers that a message carries.
-class Digest {
- public:
-  void operator()(const VehicleMotion& m) { add({*m.speed, *m.yaw_rate}); }
-  void operator()(const SerialLane& m) {
-    for (const auto* side : {&m.left, &m.right}) {
-      if (*side) add({(*side)->clothoid.y(50), (*side)->covariance.sum(), (*side)->range_end});
-    }
-  }
-  void operator()(const MarkingFeatures& m) {
-    for (const Feature& f : m.features) add({f.x, f.y, f.heading, f.covariance.sum()});
-  }
-  void operator()(const ObjectList& m) {
-    for (const TrackedObject& o : m.objects) add({o.x, o.y, o.heading, o.speed, double(o.seen_by_camera)});
-  }
-  void operator()(const RadarScan& m) {
-    for (const RadarDetection& d : m.detections) add({d.range, d.bearing, d.range_rate});
-  }
-  void operator()(const CameraBoxes& m) {
-    for (const BoxDetection& b : m.boxes) add({b.left, b.top, b.right, b.bottom, b.confidence});
-  }
-  void operator()(const CameraImage& m) {
-    text_.append(reinterpret_cast<const char*>(m.bytes.data()), m.bytes.size());
-  }
-  void operator()(const GnssInsFix& m) { add({m.latitude, m.longitude, m.height, m.heading}); }
-  void add(std::initializer_list<double> numbers) {
-    for (const double number : numbers) text_.append(reinterpret_cast<const char*>(&number), sizeof number);
-  }
-  [[nodiscard]] std::size_t value() const { return std::hash<std::string>{}(text_); }
-
- private:
-  std::string text_;
-};
-
-std::size_t digest(const Drive& drive, std::optional<std::uint32_t> sensor = {}) {
-  Digest digest;
-  for (const Measurement& measurement : drive.measurements) {
-    if (!sensor || stamp_of(measurement).sensor_id == *sensor) std::visit(digest, measurement);
-  }
-  return digest.value();
-}
-
-std::size_t digest_truth(const Drive& drive) {
-  Digest digest;
-  for (const TrueFrame& frame : drive.truth) {
-    digest.add({frame.world_from_vehicle.x, frame.world_from_vehicle.y, frame.speed, frame.yaw_rate});
-    for (const TrueObject& object : frame.objects) digest.add({object.world_from_object.x, object.speed});
-  }
-  return digest.value();
-}
+using testing::digest;
+using testing::digest_truth;
+using testing::Drive;
+using testing::drive;
+using testing::short_drive;
 
 TEST(DriveSimulation, SameSeedSameBytes) {
   EXPECT_EQ(digest(drive(short_drive(3))), digest(drive(short_drive(3))));
@@ -115,7 +43,7 @@ TEST(DriveSimulation, NoSensorDisturbsAnother) {
 }
 
 TEST(DriveSimulation, HandsOutInOrderOfReceivingWithThePresetsLatencies) {
-  const Drive drive = lanefuse::drive(short_drive(1));
+  const Drive drive = testing::drive(short_drive(1));
   const std::map<SensorKind, int> latency_ms{{SensorKind::odometry, 10},
                                              {SensorKind::serial_camera, 60},
                                              {SensorKind::high_resolution_camera, 80},
@@ -158,7 +86,7 @@ TEST(DriveSimulation, NeverHandsOutAheadOfTime) {
 }
 
 TEST(DriveSimulation, TruthComesAtTheFusionRateAndCoversTheWay) {
-  const Drive drive = lanefuse::drive(short_drive(2));
+  const Drive drive = testing::drive(short_drive(2));
   ASSERT_GT(drive.truth.size(), 100u);
   for (std::size_t i = 0; i < drive.truth.size(); ++i) {
     EXPECT_EQ(drive.truth[i].time, kSimulationStart + static_cast<int>(i) * std::chrono::milliseconds(80));
@@ -171,7 +99,7 @@ TEST(DriveSimulation, TruthComesAtTheFusionRateAndCoversTheWay) {
 TEST(DriveSimulation, TheTrueRoadReachesWhereSensorsLook) {
   DriveSimulation simulation(short_drive(2), nominal_preset());
   const TrueRoad road = simulation.road();
-  const Drive drive = lanefuse::drive(short_drive(2));
+  const Drive drive = testing::drive(short_drive(2));
   const Pose2 end = drive.truth.back().world_from_vehicle;
   ASSERT_EQ(road.boundaries.size(), 4u);
   for (const TrueBoundary& boundary : road.boundaries) {

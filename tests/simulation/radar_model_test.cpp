@@ -59,8 +59,8 @@ void expect_exact(RadarModel& radar, const Scene& scene) {
   for (int scan = 0; scan < 20; ++scan) {
     for (const RadarDetection& detection : look<RadarScan>(radar, scene).detections) {
       const SceneVehicle& other = scene.vehicles.at(0);
-      const Eigen::Vector2d point = other.world_from_vehicle.inverse() *
-                                    place_of(detection, world_from(radar, scene.ego));
+      const Eigen::Vector2d point =
+          other.world_from_vehicle.inverse() * place_of(detection, world_from(radar, scene.ego));
       EXPECT_NEAR(off_outline(point), 0, 1e-9);
       const auto range_in = [&](double seconds) {
         const Eigen::Vector2d there = moved(other, seconds).world_from_vehicle * point;
@@ -202,7 +202,7 @@ TEST(RadarModel, ReflectsAboutACentreThatWanders) {
 }
 
 TEST(RadarModel, GivesTheSameBytesForTheSameSeed) {
-  const auto sum = [](std::uint64_t seed, int corner) {
+  const auto sum_of = [](std::uint64_t seed, int corner) {
     testing::SceneRun run(3);
     RadarModel radar = short_range(nominal_preset(), corner, seed);
     double sum = 0;
@@ -212,9 +212,9 @@ TEST(RadarModel, GivesTheSameBytesForTheSameSeed) {
     });
     return sum;
   };
-  EXPECT_EQ(sum(1, 0), sum(1, 0));
-  EXPECT_NE(sum(1, 0), sum(2, 0));
-  EXPECT_NE(sum(1, 0), sum(1, 1));
+  EXPECT_EQ(sum_of(1, 0), sum_of(1, 0));
+  EXPECT_NE(sum_of(1, 0), sum_of(2, 0));
+  EXPECT_NE(sum_of(1, 0), sum_of(1, 1));
 }
 
 TEST(RadarModel, SeesClutterThatMostlyStandsStill) {

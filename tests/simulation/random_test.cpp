@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/random.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,23 @@ TEST(Wander, KeepsItsSigmaAndForgetsWithItsTimeConstant) {
   }
   EXPECT_NEAR(values.sigma(), 0.3, 0.01);
   EXPECT_NEAR(product / values.count() / (0.3 * 0.3), std::exp(-0.1 / 0.5), 0.02);
+}
+
+TEST(Random, CountsAsPoissonAndDrawsWholeNumbersEvenly) {
+  Random random(1, "counts");
+  double sum = 0, squares = 0;
+  std::array<int, 3> drawn{};
+  for (int i = 0; i < 20'000; ++i) {
+    const double count = random.poisson(2);
+    sum += count;
+    squares += count * count;
+    drawn.at(static_cast<std::size_t>(random.whole(1, 3) - 1)) += 1;
+  }
+  const double mean = sum / 20'000;
+  EXPECT_NEAR(mean, 2, 0.05);
+  EXPECT_NEAR(squares / 20'000 - mean * mean, 2, 0.1);
+  for (const int times : drawn) EXPECT_NEAR(times, 20'000 / 3.0, 300);
+  EXPECT_EQ(random.poisson(0), 0);
 }
 
 }  // namespace

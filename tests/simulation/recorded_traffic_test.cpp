@@ -171,6 +171,24 @@ TEST(ReplaySimulation, GivesOdometryAndObjectsAndTheTruthOfBoth) {
   EXPECT_NEAR(static_cast<double>(objects), 9.9 * 12.5, 3);
 }
 
+TEST(ReplaySimulation, GivesDetectionsInsteadOfObjects) {
+  ReplaySimulation simulation(two_cars(), {"two cars", 7, 1, true, 4}, nominal_preset());
+  EXPECT_EQ(simulation.info().name,
+            "replayed, two cars, ego 7, seed 1, detections, up to 4 guard-rail mirrors");
+  EXPECT_EQ(simulation.rig().sensors.size(), 7u);
+  std::vector<Measurement> measurements;
+  std::vector<TrueFrame> truth;
+  std::size_t echoes = 0, lists = 0;
+  while (simulation.step(measurements, truth)) {
+    for (const Measurement& measurement : measurements) {
+      lists += std::holds_alternative<ObjectList>(measurement);
+      if (const auto* scan = std::get_if<RadarScan>(&measurement)) echoes += scan->detections.size();
+    }
+  }
+  EXPECT_EQ(lists, 0u);
+  EXPECT_GT(echoes, 20u);
+}
+
 TEST(ReplaySimulation, RefusesAnEgoCarThatIsNotThere) {
   try {
     ReplaySimulation(two_cars(), {"two.xml", 9}, nominal_preset());
