@@ -154,7 +154,7 @@ void advance(MultiLanePerception& perception, Time now, Stopwatch& watch, RunTot
     if (!lanes) return;
     watch.end_cycle();
     totals.add(*lanes, perception.debug());
-    writer.write(*lanes, perception.debug(), perception.camera_views());
+    writer.write(*lanes, perception.debug(), perception.camera_views(), perception.objects());
     totals.images.add(perception.camera_views());
   }
 }
