@@ -73,14 +73,18 @@ class TrialJudge {
 /// What the pipeline does in a cycle as far as objects go, for two trackers at once.
 class TrialDrive {
  public:
-  TrialDrive(const TrackingTrial& trial, const Rig& rig)
-      : rig_(rig), dead_reckoning_(settings_.sources.odometry), source_(trial.objects), baseline_(rig_) {}
+  TrialDrive(const TrackingTrial& trial, Rig rig)
+      : rig_(std::move(rig)),
+        dead_reckoning_(settings_.sources.odometry),
+        source_(trial.objects),
+        baseline_(rig_) {}
 
   /// Takes measurements in the order of receiving, and runs the cycles that are due between them.
   void add(std::vector<Measurement>& measurements, TrialJudge& judge) {
     for (Measurement& measurement : measurements) {
       const Time received = stamp_of(measurement).received_at;
-      if (!next_cycle_) next_cycle_ = received + period_;
+      // On whole periods, as in the pipeline.
+      if (!next_cycle_) next_cycle_ = Time{received.time_since_epoch() / period_ * period_} + period_;
       for (; received > *next_cycle_; *next_cycle_ += period_) run_cycle(*next_cycle_, judge);
       if (!implausible(measurement)) pending_.push_back(std::move(measurement));
     }
@@ -99,6 +103,7 @@ class TrialDrive {
     const auto motion = dead_reckoning_.samples();
     const SourceContext context{rig_, motion, {}};
     for (const Measurement& measurement : pending_) {
+      if (is_late(measurement, motion)) continue;
       source_.add(measurement, context);
       baseline_.add(measurement, motion);
     }
@@ -106,6 +111,11 @@ class TrialDrive {
     sets_.clear();
     source_.collect(now, context, sets_);
     judge.add(now, source_.objects(), baseline_.objects(now, motion));
+  }
+
+  [[nodiscard]] bool is_late(const Measurement& measurement, std::span<const MotionSample> motion) const {
+    const Duration window = from_seconds(settings_.reorder_window_s);
+    return !motion.empty() && motion.back().time - stamp_of(measurement).measured_at > window;
   }
 
   const PerceptionConfig settings_;
