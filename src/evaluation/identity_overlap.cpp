@@ -10,15 +10,15 @@
 namespace lanefuse {
 
 std::uint64_t IdentityOverlap::id_hits() const {
-  std::set<std::int64_t> vehicles;
-  std::set<std::int64_t> tracks;
+  std::set<Visit> vehicles;
+  std::set<Visit> tracks;
   for (const auto& [pair, frames] : frames_) {
     vehicles.insert(pair.first);
     tracks.insert(pair.second);
   }
-  const auto index_in = [](const std::set<std::int64_t>& ids) {
-    std::map<std::int64_t, std::size_t> index;
-    for (const std::int64_t id : ids) index.emplace(id, index.size());
+  const auto index_in = [](const std::set<Visit>& ids) {
+    std::map<Visit, std::size_t> index;
+    for (const Visit& id : ids) index.emplace(id, index.size());
     return index;
   };
   const auto row_of = index_in(vehicles);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -11,14 +12,21 @@ namespace lanefuse {
 /// In how many frames each track was on each vehicle, over a whole drive: what IDF1 is made of.
 class IdentityOverlap {
  public:
+  /// A vehicle, or a track on it, from one time out of sight to the next.
+  struct Visit {
+    std::int64_t id = 0;
+    std::int64_t number = 0;
+    auto operator<=>(const Visit&) const = default;
+  };
+
   /// One frame in which this track was on this vehicle.
-  void add(std::int64_t vehicle, std::int64_t track) { ++frames_[{vehicle, track}]; }
+  void add(const Visit& vehicle, const Visit& track) { ++frames_[{vehicle, track}]; }
 
   /// The most frames that can be right if each vehicle is given one track, and no track two vehicles.
   [[nodiscard]] std::uint64_t id_hits() const;
 
  private:
-  std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> frames_;
+  std::map<std::pair<Visit, Visit>, std::uint64_t> frames_;
 };
 
 }  // namespace lanefuse

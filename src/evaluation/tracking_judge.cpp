@@ -57,6 +57,8 @@ void TrackingJudge::look(const TrueFrame& truth) {
         memory.last_in_sight && time_ - *memory.last_in_sight <= from_seconds(config_.hidden_s);
     const bool counts = in_sight && in_range(rear.position());
     // Who was out of sight may come back under another id: nobody can know it for the same.
+    if (counts && !memory.last_counted) ++memory.visit;
+    memory.last_counted = counts;
     if (!counts) memory.last.reset();
     seen_.push_back({object.id, rear, counts, &memory});
   }
@@ -127,8 +129,10 @@ void TrackingJudge::judge_pairs(double seconds) {
                              : !seen_[static_cast<std::size_t>(vehicle_of_[i])].counts;
     for (std::size_t j = 0; !ignored && j < seen_.size(); ++j) {
       if (!seen_[j].counts || distance(j, i) > config_.gate) continue;
-      count(seen_[j].rear.position().norm(),
-            [&](TrackingCounts&, IdentityOverlap& overlap) { overlap.add(seen_[j].id, tracks_[i].id); });
+      count(seen_[j].rear.position().norm(), [&](TrackingCounts&, IdentityOverlap& overlap) {
+        const std::int64_t visit = seen_[j].memory->visit;
+        overlap.add({seen_[j].id, visit}, {tracks_[i].id, visit});
+      });
     }
   }
 }

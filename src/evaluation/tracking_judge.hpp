@@ -55,6 +55,8 @@ class TrackingJudge {
     std::optional<Time> first_counted;
     double counted_s = 0;  ///< [s] that it has counted
     bool confirmed = false;
+    bool last_counted = false;
+    std::int64_t visit = 0;  ///< how often it has begun to count: each time it may be taken for another
     std::optional<std::int64_t> current;  ///< the track that was on it in the last frame
     std::optional<std::int64_t> last;     ///< the last track that was on it since it began to count
   };

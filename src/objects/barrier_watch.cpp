@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kReach = 40;      ///< [m] ahead and behind: nearer the road is as good as straight
 constexpr double kStanding = 1.0;  ///< [m/s] over ground
+constexpr double kSlant = 0.4;     ///< cosine of the steepest angle to our way that tells
 constexpr double kSlowest = 5;     ///< [m/s] below, a queue looks like a wall
 constexpr int kStationsOfLine = 12;
 constexpr double kNearest = 2.5;  ///< [m] nothing nearer is beside the lane
@@ -31,9 +32,9 @@ void BarrierWatch::look(const SightingSet& look, double seconds) {
   for (const Sighting& sighting : look.sightings) {
     if (!sighting.range_rate || sighting.range > kReach) continue;
     const double angle = look.odometry_from_sensor.heading + sighting.bearing;
-    const double over_ground =
-        *sighting.range_rate + look.velocity.x() * std::cos(angle) + look.velocity.y() * std::sin(angle);
-    if (std::abs(over_ground) > kStanding) continue;
+    const double own = look.velocity.x() * std::cos(angle) + look.velocity.y() * std::sin(angle);
+    // Of what drives beside us the range does not change either.
+    if (std::abs(own) < kSlant * speed || std::abs(*sighting.range_rate + own) > kStanding) continue;
     const Eigen::Vector2d at =
         vehicle_from_sensor * Eigen::Vector2d(sighting.range * std::cos(sighting.bearing),
                                               sighting.range * std::sin(sighting.bearing));

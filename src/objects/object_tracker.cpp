@@ -87,16 +87,10 @@ void ObjectTracker::forget_history() {
 
 void ObjectTracker::process(const SightingSet& look) {
   predict_all(look);
-  clusters_.find(look, config_);
   sight_.look(look, state_.tracks);
   associate(look);
-  for (std::size_t i = 0; i < cluster_of_track_.size(); ++i) {
-    const int cluster = cluster_of_track_[i];
-    if (cluster == Assignment::kAlone) {
-      miss(state_.tracks[i], look, sight_.detection(i));
-    } else {
-      take(state_.tracks[i], look, cluster);
-    }
+  for (std::size_t i = 0; i < state_.tracks.size(); ++i) {
+    if (!take(i, look)) miss(state_.tracks[i], look, sight_.detection(i));
   }
   start_tracks(look);
   judge(look);
@@ -115,49 +109,48 @@ void ObjectTracker::predict_all(const SightingSet& look) {
 }
 
 void ObjectTracker::associate(const SightingSet& look) {
-  const int clusters = clusters_.count();
+  const auto sightings = static_cast<int>(look.sightings.size());
   const auto tracks = static_cast<int>(state_.tracks.size());
   costs_.clear();
-  for (int c = 0; c < clusters; ++c) {
-    for (const ObjectTrack& track : state_.tracks) costs_.push_back(cost(track, look, c));
+  for (const Sighting& sighting : look.sightings) {
+    for (const ObjectTrack& track : state_.tracks) costs_.push_back(cost(track, look, sighting));
   }
   // Staying alone costs more than the worst fit within the gates: it is the number of pairs that counts
   // first.
   constexpr double kAlone = 60;
-  const auto assigned = assignment_.solve(clusters, tracks, std::span<const double>(costs_), kAlone);
-  cluster_of_track_.assign(state_.tracks.size(), Assignment::kAlone);
-  for (int c = 0; c < clusters; ++c) {
-    const int track = assigned[static_cast<std::size_t>(c)];
-    if (track != Assignment::kAlone) cluster_of_track_[static_cast<std::size_t>(track)] = c;
+  const auto assigned = assignment_.solve(sightings, tracks, std::span<const double>(costs_), kAlone);
+  track_of_.assign(assigned.begin(), assigned.end());
+  // What is left over is one more reflection of the vehicle that it fits best.
+  for (std::size_t i = 0; i < track_of_.size(); ++i) {
+    if (track_of_[i] != Assignment::kAlone || look.kind == SightingKind::camera) continue;
+    const auto row = costs_.begin() + static_cast<std::ptrdiff_t>(i * state_.tracks.size());
+    const auto best = std::min_element(row, row + tracks);
+    if (tracks > 0 && *best != Assignment::kForbidden) track_of_[i] = static_cast<int>(best - row);
   }
 }
 
-/// That of the member that fits best.
-double ObjectTracker::cost(const ObjectTrack& track, const SightingSet& look, int cluster) const {
+double ObjectTracker::cost(const ObjectTrack& track, const SightingSet& look,
+                           const Sighting& sighting) const {
   constexpr double kFurthest = 25;    // [m] beyond which nothing belongs to a track, whatever its doubts
   constexpr double kSameAddress = 9;  // as much as three sigmas: the radar's own word
-  double best = Assignment::kForbidden;
-  for (const int member : clusters_.members(cluster)) {
-    const Sighting& sighting = look.sightings[static_cast<std::size_t>(member)];
-    const TrackObservation observation = observe(track, look, sighting, config_);
-    if (observation.residual.head<2>().squaredNorm() > kFurthest * kFurthest) continue;
-    const Misfit fit = misfit(track, observation);
-    const bool same_address = sighting.address && sighting.address == track.address;
-    if (fit.distance_squared > (same_address ? 2 : 1) * config_.gate) continue;
-    best = std::min(best, fit.distance_squared + fit.log_volume - (same_address ? kSameAddress : 0));
-  }
-  return best;
+  const TrackObservation observation = observe(track, look, sighting, config_);
+  if (observation.residual.head<2>().squaredNorm() > kFurthest * kFurthest) return Assignment::kForbidden;
+  const Misfit fit = misfit(track, observation);
+  const bool same_address = sighting.address && sighting.address == track.address;
+  if (fit.distance_squared > (same_address ? 2 : 1) * config_.gate) return Assignment::kForbidden;
+  return fit.distance_squared + fit.log_volume - (same_address ? kSameAddress : 0);
 }
 
-void ObjectTracker::take(ObjectTrack& track, const SightingSet& look, int cluster) {
+/// Whether the look saw the track.
+bool ObjectTracker::take(std::size_t index, const SightingSet& look) {
+  ObjectTrack& track = state_.tracks[index];
   double confidence = 0;
-  for (const int member : clusters_.members(cluster)) {
-    const Sighting& sighting = look.sightings[static_cast<std::size_t>(member)];
-    const Misfit fit = misfit(track, observe(track, look, sighting, config_));
-    if (fit.distance_squared > 2 * config_.gate) continue;
-    update(track, look, sighting, config_);
-    confidence = std::max(confidence, sighting.confidence);
+  for (std::size_t i = 0; i < track_of_.size(); ++i) {
+    if (track_of_[i] != static_cast<int>(index)) continue;
+    update(track, look, look.sightings[i], config_);
+    confidence = std::max(confidence, look.sightings[i].confidence);
   }
+  if (confidence <= 0) return false;
   if (track.speed() > config_.min_speed) {
     const Eigen::Vector2d velocity = track.velocity();
     track.heading = std::atan2(velocity.y(), velocity.x());
@@ -169,6 +162,7 @@ void ObjectTracker::take(ObjectTrack& track, const SightingSet& look, int cluste
   verification.last = look.measured_at;
   track.last_seen = track.last_due = look.measured_at;
   ++track.hits;
+  return true;
 }
 
 void ObjectTracker::miss(ObjectTrack& track, const SightingSet& look, double detection) const {
@@ -181,19 +175,19 @@ void ObjectTracker::miss(ObjectTrack& track, const SightingSet& look, double det
 }
 
 void ObjectTracker::start_tracks(const SightingSet& look) {
-  // A cluster that no track took: new, unless it is one more part of a vehicle that is known.
-  const std::size_t known = cluster_of_track_.size();
+  for (std::size_t i = 0; i < track_of_.size(); ++i) {
+    if (track_of_[i] == Assignment::kAlone && belongs_to_known(look, look.sightings[i]))
+      track_of_[i] = kKnown;
+  }
+  clusters_.find(look, track_of_, config_);
   for (int c = 0; c < clusters_.count(); ++c) {
-    if (std::find(cluster_of_track_.begin(), cluster_of_track_.end(), c) != cluster_of_track_.end()) continue;
     const Sighting& nearest = look.sightings[static_cast<std::size_t>(clusters_.members(c).front())];
-    if (belongs_to_known(look, nearest)) continue;
     ObjectTrack track = start_track(look, nearest, config_, look.odometry_from_vehicle.heading);
     track.id = state_.next_id++;
     track.last_seen = track.last_due = look.measured_at;
     track.hits = 1;
     state_.tracks.push_back(track);
   }
-  cluster_of_track_.resize(known);
 }
 
 /// On the body of a confirmed track, as fast as it is. Nobody follows so near at such a speed: what is seen a
@@ -218,7 +212,7 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
     const double speed = sighting.range_rate ? *sighting.range_rate + look.velocity.dot(sight) : 0;
     const bool as_fast =
         !sighting.range_rate || std::abs(speed - track.velocity().dot(sight)) < 2 * config_.same_range_rate;
-    if (!as_fast || std::abs(across) > track.width / 2 + kAround) continue;
+    if (!as_fast || std::abs(across) > track.width / 2 + kAround + doubt) continue;
     const double length = track.length();
     if (along > -kAround - doubt && along < length + kAround + doubt) return true;
     const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
@@ -270,7 +264,7 @@ bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& veh
 /// Two tracks of one vehicle: the older one stays.
 void ObjectTracker::merge_doubles() {
   constexpr double kAcross = 1.1;  // [m]
-  constexpr double kAsFast = 1.5;  // [m/s]
+  constexpr double kAsFast = 2.5;  // [m/s]
   auto& tracks = state_.tracks;
   const auto is_double = [&](const ObjectTrack& young, const ObjectTrack& old) {
     if (young.id <= old.id || !old.confirmed) return false;
@@ -278,8 +272,9 @@ void ObjectTracker::merge_doubles() {
     const Eigen::Vector2d apart = young.position() - old.position();
     const double along = apart.dot(ahead);
     const double across = ahead.x() * apart.y() - ahead.y() * apart.x();
-    return std::abs(across) < kAcross && along > -0.5 * config_.same_along && along < old.length() - 0.5 &&
-           (young.velocity() - old.velocity()).norm() < kAsFast;
+    const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
+    return std::abs(across) < kAcross + doubt && along > -config_.same_along - doubt &&
+           along < old.length() - 0.5 && (young.velocity() - old.velocity()).norm() < kAsFast;
   };
   for (ObjectTrack& young : tracks) {
     young.superseded = std::any_of(tracks.begin(), tracks.end(),

@@ -55,20 +55,24 @@ class ObjectTracker {
   std::vector<Entry> history_;  ///< in order of time; the first `held_` of them hold something
   std::size_t held_ = 0;
 
+  /// Instead of a track's index: a part of some vehicle that is known, of no use beside.
+  static constexpr int kKnown = -2;
+
   // Workspaces of one look.
   SightingClusters clusters_;
   TrackSight sight_;
   Assignment assignment_;
   std::vector<double> costs_;
-  std::vector<int> cluster_of_track_;
+  std::vector<int> track_of_;  ///< of each sighting, Assignment::kAlone, or kKnown
   LaneChangeWatch lane_changes_;
 
   void forget_history();
   void process(const SightingSet& look);
   void predict_all(const SightingSet& look);
   void associate(const SightingSet& look);
-  [[nodiscard]] double cost(const ObjectTrack& track, const SightingSet& look, int cluster) const;
-  void take(ObjectTrack& track, const SightingSet& look, int cluster);
+  [[nodiscard]] double cost(const ObjectTrack& track, const SightingSet& look,
+                            const Sighting& sighting) const;
+  bool take(std::size_t index, const SightingSet& look);
   void miss(ObjectTrack& track, const SightingSet& look, double detection) const;
   void start_tracks(const SightingSet& look);
   bool belongs_to_known(const SightingSet& look, const Sighting& sighting);

@@ -6,8 +6,13 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/assignment.hpp"
+
 namespace lanefuse {
 namespace {
+
+constexpr int kOpen = -1;   ///< in no cluster yet
+constexpr int kTaken = -2;  ///< some track's
 
 bool is_same_vehicle(const Sighting& a, const Sighting& b, const ObjectTrackerConfig& config) {
   const double turn = b.bearing - a.bearing;
@@ -21,12 +26,17 @@ bool is_same_vehicle(const Sighting& a, const Sighting& b, const ObjectTrackerCo
 
 }  // namespace
 
-void SightingClusters::find(const SightingSet& look, const ObjectTrackerConfig& config) {
-  const std::size_t sightings = look.sightings.size();
-  cluster_of_.assign(sightings, -1);
+void SightingClusters::find(const SightingSet& look, std::span<const int> track_of,
+                            const ObjectTrackerConfig& config) {
+  cluster_of_.resize(look.sightings.size());
+  for (std::size_t i = 0; i < cluster_of_.size(); ++i) {
+    cluster_of_[i] = track_of[i] == Assignment::kAlone ? kOpen : kTaken;
+  }
   count_ = 0;
   if (look.kind == SightingKind::camera) {
-    for (int& cluster : cluster_of_) cluster = count_++;
+    for (int& cluster : cluster_of_) {
+      if (cluster == kOpen) cluster = count_++;
+    }
   } else {
     link(look, config);
   }
@@ -37,14 +47,14 @@ void SightingClusters::find(const SightingSet& look, const ObjectTrackerConfig& 
 void SightingClusters::link(const SightingSet& look, const ObjectTrackerConfig& config) {
   std::vector<int>& open = members_;
   for (std::size_t first = 0; first < cluster_of_.size(); ++first) {
-    if (cluster_of_[first] >= 0) continue;
+    if (cluster_of_[first] != kOpen) continue;
     cluster_of_[first] = count_;
     open.assign(1, static_cast<int>(first));
     while (!open.empty()) {
       const Sighting& from = look.sightings[static_cast<std::size_t>(open.back())];
       open.pop_back();
       for (std::size_t i = first + 1; i < cluster_of_.size(); ++i) {
-        if (cluster_of_[i] >= 0 || !is_same_vehicle(from, look.sightings[i], config)) continue;
+        if (cluster_of_[i] != kOpen || !is_same_vehicle(from, look.sightings[i], config)) continue;
         cluster_of_[i] = count_;
         open.push_back(static_cast<int>(i));
       }
@@ -54,8 +64,10 @@ void SightingClusters::link(const SightingSet& look, const ObjectTrackerConfig& 
 }
 
 void SightingClusters::sort(const SightingSet& look) {
-  members_.resize(cluster_of_.size());
-  for (std::size_t i = 0; i < members_.size(); ++i) members_[i] = static_cast<int>(i);
+  members_.clear();
+  for (std::size_t i = 0; i < cluster_of_.size(); ++i) {
+    if (cluster_of_[i] != kTaken) members_.push_back(static_cast<int>(i));
+  }
   std::sort(members_.begin(), members_.end(), [&](int a, int b) {
     const auto key = [&](int i) {
       const auto at = static_cast<std::size_t>(i);
@@ -64,7 +76,9 @@ void SightingClusters::sort(const SightingSet& look) {
     return key(a) < key(b);
   });
   begin_.assign(static_cast<std::size_t>(count_) + 1, 0);
-  for (const int cluster : cluster_of_) ++begin_[static_cast<std::size_t>(cluster) + 1];
+  for (const int cluster : cluster_of_) {
+    if (cluster != kTaken) ++begin_[static_cast<std::size_t>(cluster) + 1];
+  }
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
 }
 

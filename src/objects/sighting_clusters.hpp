@@ -10,11 +10,12 @@
 
 namespace lanefuse {
 
-/// Puts the reflections of one look that come from one vehicle together: linked to each other by what lies
-/// within a vehicle's size and goes as fast. A camera's boxes stand alone.
+/// Puts the reflections of one look that no track has taken and that come from one vehicle together: linked
+/// to each other by what lies within a vehicle's size and goes as fast. A camera's boxes stand alone.
 class SightingClusters {
  public:
-  void find(const SightingSet& look, const ObjectTrackerConfig& config);
+  /// `track_of` each sighting: those count for which it is Assignment::kAlone.
+  void find(const SightingSet& look, std::span<const int> track_of, const ObjectTrackerConfig& config);
 
   [[nodiscard]] int count() const { return count_; }
   /// The sightings of a cluster, by their places in the look; the nearest first.

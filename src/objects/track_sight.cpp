@@ -18,12 +18,28 @@ void TrackSight::look(const SightingSet& look, std::span<const ObjectTrack> trac
     View& view = views_[i];
     view.range = std::max(1.0, at.norm());
     view.bearing = std::atan2(at.y(), at.x());
-    view.half_angle = std::atan2(tracks[i].width / 2, view.range);
+    view.quarter = std::atan2(tracks[i].width / 4, view.range);
+    measure_body(tracks[i], sensor_from_odometry, view);
     const bool inside = look.field.contains(view.range / kEdge, view.bearing / kEdge);
     view.detection = inside ? look.field.detection_at(view.range) : 0;
   }
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if (views_[i].detection > 0 && hidden(i, tracks)) views_[i].detection = 0;
+  }
+}
+
+void TrackSight::measure_body(const ObjectTrack& track, const Pose2& sensor_from_odometry, View& view) {
+  const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  view.left = view.right = 0;
+  for (const double along : {0.0, track.length()}) {
+    for (const double across : {-track.width / 2, track.width / 2}) {
+      const Eigen::Vector2d corner =
+          sensor_from_odometry * Eigen::Vector2d(track.position() + along * ahead + across * left);
+      const double angle = wrap_angle(std::atan2(corner.y(), corner.x()) - view.bearing);
+      view.left = std::max(view.left, angle);
+      view.right = std::min(view.right, angle);
+    }
   }
 }
 
@@ -33,8 +49,9 @@ bool TrackSight::hidden(std::size_t track, std::span<const ObjectTrack> tracks) 
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const View& other = views_[i];
     if (!tracks[i].confirmed || tracks[i].refused || other.range + kNearer > view.range) continue;
-    // Its middle behind the other: about half of it.
-    if (std::abs(wrap_angle(view.bearing - other.bearing)) < other.half_angle) return true;
+    // More than a quarter of it behind the other.
+    const double apart = wrap_angle(view.bearing - other.bearing);
+    if (apart < other.left && apart > other.right) return true;
   }
   return false;
 }

@@ -21,11 +21,14 @@ class TrackSight {
   struct View {
     double range = 0;
     double bearing = 0;
-    double half_angle = 0;
+    double left = 0;     ///< [rad] from its bearing to its left side, along its whole body
+    double right = 0;    ///< [rad] to its right side, a negative number
+    double quarter = 0;  ///< [rad] of its width
     double detection = 0;
   };
   std::vector<View> views_;
 
+  static void measure_body(const ObjectTrack& track, const Pose2& sensor_from_odometry, View& view);
   [[nodiscard]] bool hidden(std::size_t track, std::span<const ObjectTrack> tracks) const;
 };
 
