@@ -68,8 +68,10 @@ class MultiLanePerception {
   InputAccounting hand_to_sources(const Measurement& measurement, const SourceContext& context);
   InputAccounting take_image(const CameraImage& image, const SourceContext& context);
   void judge_cameras(LaneEstimate& estimate) const;
+  void judge_object_sensors(LaneEstimate& estimate) const;
   bool seen_before(const Measurement& measurement);
   [[nodiscard]] bool is_long_past(const Measurement& measurement) const;
+  [[nodiscard]] bool clock_was_set_back(const Measurement& measurement);
   [[nodiscard]] Time last_cycle_until(Time time) const;
   void judge_sources(Time now, LaneEstimate& estimate) const;
 
@@ -88,6 +90,7 @@ class MultiLanePerception {
   std::vector<Measurement> pending_;
   std::vector<FeatureSet> feature_sets_;
   std::optional<Time> next_cycle_;
+  std::optional<Time> long_past_since_;  ///< no stamp but long past ones since this one
   std::uint32_t restarts_ = 0;
   InputAccounting inputs_;
   /// Stamps of the last moments, a kind and sensor: a message that comes twice is taken once.
