@@ -26,7 +26,7 @@ const char* to_string(SensorFault fault);
 
 struct SensorTrustConfig {
   double min_speed = 3;    ///< [m/s] of the own car: slower, nothing is judged
-  double memory_s = 2;     ///< [s] over which evidence is forgotten
+  double memory_s = 1;     ///< [s] over which evidence is forgotten: what was sound must not speak for long
   double enough = 8;       ///< votes before anything is said
   double ratio = 3;        ///< times as many must say one thing as the other
   double recover_s = 2;    ///< [s] for which a distrusted sensor must be sound again

@@ -260,6 +260,10 @@ std::span<const TrackedObject> MultiLanePerception::objects() const {
   return objects_ ? objects_->objects() : std::span<const TrackedObject>{};
 }
 
+std::span<const std::uint32_t> MultiLanePerception::distrusted_sensors() const {
+  return objects_ ? objects_->distrusted() : std::span<const std::uint32_t>{};
+}
+
 void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
   for (int i = 0; i < kSourceCount; ++i) {
     const auto heard = last_heard_.find(static_cast<Source>(i));

@@ -56,6 +56,9 @@ class MultiLanePerception {
   /// tracker, else as an object list gave them.
   [[nodiscard]] std::span<const TrackedObject> objects() const;
 
+  /// The ids of the object sensors that are left out, as they contradict themselves or the others.
+  [[nodiscard]] std::span<const std::uint32_t> distrusted_sensors() const;
+
   /// Lets the caller time the stages: called when one ends.
   void on_stage(LaneEstimator::StageListener listener);
 

@@ -74,7 +74,8 @@ InputAccounting ObjectSource::add_look(bool made, const std::vector<Detection>& 
 
 bool ObjectSource::follow(const SourceContext& context) {
   // The dead reckoning began anew, in another frame: what the tracker knows is nowhere in it.
-  if (context.motion.front().time > last_look_) tracker_.reset();
+  const MotionSample& first = context.motion.front();
+  if (first.time > last_look_ && first.odometry_from_vehicle == Pose2{}) tracker_.reset();
   if (!tracker_.add(look_)) return false;
   has_detections_ = true;
   last_look_ = std::max(last_look_, look_.measured_at);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "objects/object_tracker.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -20,16 +21,24 @@ using testing::TrafficScene;
 
 constexpr double kLook = 0.05;  // [s]
 
+/// The moments of the looks from a second on and before another.
+std::vector<double> moments(double from, double to) {
+  std::vector<double> moments;
+  for (auto i = std::lround(from / kLook); i < std::lround(to / kLook); ++i)
+    moments.push_back(static_cast<double>(i) * kLook);
+  return moments;
+}
+
 std::vector<TrackedObject> radar_only(TrackedTraffic& traffic, const TrafficScene& scene, double from,
                                       double to) {
   std::vector<TrackedObject> objects;
-  for (double t = from; t < to; t += kLook) objects = traffic.radar(scene.at(t));
+  for (const double t : moments(from, to)) objects = traffic.radar(scene.at(t));
   return objects;
 }
 
 std::vector<TrackedObject> fused(TrackedTraffic& traffic, const TrafficScene& scene, double from, double to) {
   std::vector<TrackedObject> objects;
-  for (double t = from; t < to; t += kLook) objects = traffic.both(scene.at(t));
+  for (const double t : moments(from, to)) objects = traffic.both(scene.at(t));
   return objects;
 }
 
@@ -73,7 +82,7 @@ TEST(ObjectTracker, KeepsNeighboursAbreastApart) {
   fused(traffic, scene, 0, 1);
   std::set<std::int64_t> left;
   std::set<std::int64_t> right;
-  for (double t = 1; t < 6; t += kLook) {
+  for (const double t : moments(1, 6)) {
     const TrueFrame frame = scene.at(t);
     const auto objects = traffic.both(frame);
     ASSERT_EQ(objects.size(), 2U) << t;
@@ -99,13 +108,13 @@ TEST(ObjectTracker, KeepsTheIdsOfVehiclesThatOvertakeOneAnother) {
 }
 
 TEST(ObjectTracker, GivesEachOfTwoItsOwnWhereTheNearestWouldSwap) {
-  // Both have moved to the left by 1.4 m: what the right one has become is nearest to where the left one was.
-  const TrafficScene scene{{30, 0}, {{{40, 1.3}, {30, 0}}, {{40, -1.3}, {30, 0}}}};
+  // Both have moved to the left by 1.1 m: what the right one has become is nearest to where the left one was.
+  const TrafficScene scene{{30, 0}, {{{40, 1}, {30, 0}}, {{40, -1}, {30, 0}}}};
   TrackedTraffic traffic;
   const auto before = radar_only(traffic, scene, 0, 2);
   ASSERT_EQ(before.size(), 2U);
   TrafficScene moved = scene;
-  for (RoadUser& user : moved.users) user.start.y() += 1.4;
+  for (RoadUser& user : moved.users) user.start.y() += 1.1;
   const auto after = traffic.radar(moved.at(2.05));
   ASSERT_EQ(after.size(), 2U);
   for (const TrackedObject& object : after) {
@@ -130,7 +139,7 @@ TEST(ObjectTracker, NeverBelievesASingleFalseDetection) {
 TEST(ObjectTracker, NeedsSeveralLooksForATrack) {
   const TrafficScene scene{{30, 0}, {{{40, 0}, {30, 0}}}};
   TrackedTraffic traffic;
-  EXPECT_TRUE(radar_only(traffic, scene, 0, 2.5 * kLook).empty());
+  EXPECT_TRUE(radar_only(traffic, scene, 0, 3 * kLook).empty());
   EXPECT_EQ(radar_only(traffic, scene, 3 * kLook, 1).size(), 1U);
 }
 
@@ -203,14 +212,14 @@ TEST(ObjectTracker, KeepsSilentOnWhatStands) {
   TrafficScene scene{{30, 0}, {}};
   for (int i = 0; i < 12; ++i) scene.users.push_back({{20.0 * i, i % 2 == 0 ? 6.0 : -6.0}, {0, 0}});
   TrackedTraffic traffic(1);
-  for (double t = 0; t < 5; t += kLook) EXPECT_TRUE(traffic.radar(scene.at(t)).empty()) << t;
+  for (const double t : moments(0, 5)) EXPECT_TRUE(traffic.radar(scene.at(t)).empty()) << t;
 }
 
 TEST(ObjectTracker, ReportsWhatComesTowardsUsAndNeverAsAWitness) {
   const TrafficScene scene{{30, 0}, {{{220, 9}, {-30, 0}}}};
   TrackedTraffic traffic;
   bool seen = false;
-  for (double t = 0; t < 3; t += kLook) {
+  for (const double t : moments(0, 3)) {
     for (const TrackedObject& object : traffic.both(scene.at(t))) {
       seen = true;
       EXPECT_NEAR(std::abs(object.heading), std::numbers::pi, 0.1);
@@ -245,14 +254,14 @@ TEST(ObjectTracker, MarksALaneChangeWithinASecondAndUnmarksItAfterwards) {
   TrafficScene scene{{30, 0}, {{{35, 3.5}, {30, 0}}, {{60, 0}, {30, 0}}, {{45, -3.5}, {30, 0}}}};
   TrackedTraffic traffic;
   const auto changing = [&](double from, double to) {
-    for (double t = from; t < to; t += kLook) {
+    for (const double t : moments(from, to)) {
       TrueFrame frame = scene.at(t);
       const double done = std::clamp((t - 3) / 3.5, 0.0, 1.0);  // one metre a second to the right
       Pose2& pose = frame.objects[0].world_from_object;
       pose.y -= 3.5 * done;
       if (done > 0 && done < 1) pose.heading = std::atan2(-1, 30);
       traffic.both(frame);
-      if (t + kLook < to) continue;
+      if (t + 1.5 * kLook < to) continue;
       const auto objects = traffic.objects(frame);
       const TrackedObject* object = nearest(objects, frame, frame.objects[0]);
       return object && object->changing_lane;
@@ -269,7 +278,7 @@ TEST(ObjectTracker, StatesAnUncertaintyThatFitsItsErrors) {
   TrackedTraffic traffic(1);
   double squares = 0;
   int count = 0;
-  for (double t = 0; t < 15; t += kLook) {
+  for (const double t : moments(0, 15)) {
     const TrueFrame frame = scene.at(t);
     const auto objects = traffic.both(frame);
     for (const TrueObject& vehicle : frame.objects) {
