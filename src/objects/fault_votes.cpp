@@ -90,10 +90,11 @@ void vote_on_standing_mirror(const SightingSet& look, FaultVotes& votes) {
 }
 
 void vote_on_mirror(const SightingSet& look, const SightingSet& other, FaultVotes& votes) {
-  constexpr double kInner = 0.85;      // of the field: at its edge things may be missed
-  constexpr double kAcross = 1.3;      // [m] that a vehicle's seen points lie apart
-  constexpr double kAlong = 4;         // [m]
-  constexpr double kFurtherApart = 1;  // [m] between the two gates
+  constexpr double kInner = 0.85;        // of the field: at its edge things may be missed
+  constexpr double kAcross = 1.3;        // [m] that a vehicle's seen points lie apart
+  constexpr double kAlong = 4;           // [m]
+  constexpr double kApart = 0.75;        // of the gates' width, that the axis is away at least
+  constexpr double kFurtherApart = 0.5;  // [m] and more
   const Pose2 look_from_other = look.odometry_from_sensor.inverse() * other.odometry_from_sensor;
   for (const Sighting& seen : other.sightings) {
     if (stands(other, seen)) continue;
@@ -102,7 +103,7 @@ void vote_on_mirror(const SightingSet& look, const SightingSet& other, FaultVote
     if (!look.field.contains(place.range / kInner, place.bearing / kInner)) continue;
     const double own_sigma = look.sightings.empty() ? 0 : look.sightings.front().bearing_sigma;
     place.gate += 2 * (seen.bearing_sigma * seen.range + own_sigma * place.range);
-    if (std::abs(at.y()) < place.gate + kFurtherApart) continue;
+    if (std::abs(at.y()) < kApart * place.gate + kFurtherApart) continue;
     const bool as_said = sees(look, place, place.bearing);
     const bool mirrored = sees(look, place, -place.bearing);
     if (as_said && !mirrored) votes.sound += 1;
