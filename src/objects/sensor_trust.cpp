@@ -104,9 +104,9 @@ void SensorTrust::compare_with_others(Sensor& sensor, const SightingSet& look) {
 }
 
 /// Whether the word of others, leaving one of them aside, is against this sensor.
-bool SensorTrust::is_contradicted(std::size_t sensor, std::uint32_t but_for) const {
+bool SensorTrust::is_contradicted(std::size_t place, std::uint32_t but_for) const {
   FaultVotes sum;
-  for (const Word& word : sensors_[sensor].words) {
+  for (const Word& word : sensors_[place].words) {
     if (word.from == but_for || fault_of(word.from) != SensorFault::none) continue;
     sum.sound += word.votes.sound;
     sum.wrong += word.votes.wrong;
@@ -114,20 +114,20 @@ bool SensorTrust::is_contradicted(std::size_t sensor, std::uint32_t but_for) con
   return sum.wrong > sum.sound;
 }
 
-bool SensorTrust::is_mirrored(std::size_t sensor) const {
+bool SensorTrust::is_mirrored(std::size_t place) const {
   FaultVotes sum;
   int accusers = 0;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const std::uint32_t id = sensors_[i].last.sensor_id;
-    const auto& words = sensors_[sensor].words;
+    const auto& words = sensors_[place].words;
     const auto word = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.from == id; });
     if (word == words.end() || sensors_[i].fault != SensorFault::none) continue;
-    if (is_contradicted(i, sensors_[sensor].last.sensor_id)) continue;
+    if (is_contradicted(i, sensors_[place].last.sensor_id)) continue;
     sum.sound += word->votes.sound;
     sum.wrong += word->votes.wrong;
     if (word->votes.wrong > config_.ratio * word->votes.sound) ++accusers;
   }
-  const int needed = sensors_[sensor].last.kind == SightingKind::camera ? 2 : 1;
+  const int needed = sensors_[place].last.kind == SightingKind::camera ? 2 : 1;
   return accusers >= needed && sum.say_wrong(config_.enough, config_.ratio);
 }
 

@@ -36,8 +36,9 @@ struct SensorTrustConfig {
 
 /// Finds the sensors that cannot be believed, from what they say alone: against their own earlier looks, the
 /// own speed, their field, and what the other sensors say of the same places. Where one sensor's word stands
-/// against another's, a camera needs two accusers and a radar one; the word of a sensor that is contradicted
-/// by a third does not count.
+/// against another's alone, nobody can tell which is right: the radar is left out, since it takes two
+/// accusers to leave a camera out, and no vehicle is verified without both; the word of a sensor that is
+/// contradicted by a third does not count.
 class SensorTrust {
  public:
   explicit SensorTrust(const SensorTrustConfig& config) : config_(config) {}
@@ -78,9 +79,9 @@ class SensorTrust {
   void forget(Sensor& sensor, double seconds) const;
   void count_repeats(Sensor& sensor, const SightingSet& look) const;
   void compare_with_others(Sensor& sensor, const SightingSet& look);
-  [[nodiscard]] bool is_contradicted(std::size_t sensor, std::uint32_t but_for) const;
-  [[nodiscard]] bool is_mirrored(std::size_t sensor) const;
-  [[nodiscard]] SensorFault verdict(std::size_t sensor) const;
+  [[nodiscard]] bool is_contradicted(std::size_t place, std::uint32_t but_for) const;
+  [[nodiscard]] bool is_mirrored(std::size_t place) const;
+  [[nodiscard]] SensorFault verdict(std::size_t place) const;
   [[nodiscard]] bool is_sound_again(const Sensor& sensor) const;
   void conclude(std::size_t place, Time now);
 };
