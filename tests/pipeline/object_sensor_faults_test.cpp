@@ -5,56 +5,17 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/damaged_stream.hpp"
-#include "support/detected_traffic.hpp"
-#include "support/simulated_run.hpp"
+#include "support/detected_drive.hpp"
 
 /// Radars and a camera that boxes vehicles, sound and broken, from measurements to lanes and tracks.
 namespace lanefuse {
 namespace {
 
+using testing::CycleResult;
+using testing::detected_drive;
+using testing::run;
+using testing::seconds_of;
 using testing::SimulatedDrive;
-
-constexpr Duration kLatency = std::chrono::milliseconds(40);
-
-double seconds_of(Time time) { return to_seconds(time - kSimulationStart); }
-
-/// A simulated drive whose object list has given way to detections.
-SimulatedDrive detected_drive(std::uint64_t seed = 1, double km = 0.4) {
-  SimulatedDrive drive = testing::simulate({seed, km});
-  std::erase_if(drive.measurements,
-                [](const Measurement& m) { return std::holds_alternative<ObjectList>(m); });
-  for (const SensorDescription& sensor : testing::object_sensors()) drive.rig.sensors.push_back(sensor);
-  testing::DetectedTraffic detected(1, true, static_cast<unsigned>(seed));
-  for (const TrueFrame& frame : drive.truth) {
-    for (Measurement& look : detected.looks(frame)) {
-      testing::stamp_in(look).received_at += kLatency;
-      drive.measurements.push_back(std::move(look));
-    }
-  }
-  std::ranges::stable_sort(drive.measurements, {},
-                           [](const Measurement& m) { return stamp_of(m).received_at; });
-  return drive;
-}
-
-struct CycleResult {
-  LaneEstimate lanes;
-  std::vector<TrackedObject> objects;
-  std::vector<std::uint32_t> distrusted;
-};
-
-std::vector<CycleResult> run(const Rig& rig, const std::vector<Measurement>& stream) {
-  MultiLanePerception perception({}, rig);
-  std::vector<CycleResult> cycles;
-  for (const Measurement& measurement : stream) {
-    while (const LaneEstimate* lanes = perception.advance(stamp_of(measurement).received_at)) {
-      const auto objects = perception.objects();
-      const auto distrusted = perception.distrusted_sensors();
-      cycles.push_back({*lanes, {objects.begin(), objects.end()}, {distrusted.begin(), distrusted.end()}});
-    }
-    perception.add(measurement);
-  }
-  return cycles;
-}
 
 SourceStatus objects_of(const CycleResult& cycle) {
   return cycle.lanes.sources[static_cast<std::size_t>(Source::objects)];

@@ -14,33 +14,14 @@
 namespace lanefuse {
 namespace {
 
+using testing::fused;
+using testing::kLook;
+using testing::moments;
 using testing::nearest;
+using testing::radar_only;
 using testing::RoadUser;
 using testing::TrackedTraffic;
 using testing::TrafficScene;
-
-constexpr double kLook = 0.05;  // [s]
-
-/// The moments of the looks from a second on and before another.
-std::vector<double> moments(double from, double to) {
-  std::vector<double> moments;
-  for (auto i = std::lround(from / kLook); i < std::lround(to / kLook); ++i)
-    moments.push_back(static_cast<double>(i) * kLook);
-  return moments;
-}
-
-std::vector<TrackedObject> radar_only(TrackedTraffic& traffic, const TrafficScene& scene, double from,
-                                      double to) {
-  std::vector<TrackedObject> objects;
-  for (const double t : moments(from, to)) objects = traffic.radar(scene.at(t));
-  return objects;
-}
-
-std::vector<TrackedObject> fused(TrackedTraffic& traffic, const TrafficScene& scene, double from, double to) {
-  std::vector<TrackedObject> objects;
-  for (const double t : moments(from, to)) objects = traffic.both(scene.at(t));
-  return objects;
-}
 
 std::set<std::int64_t> ids_of(const std::vector<TrackedObject>& objects) {
   std::set<std::int64_t> ids;
@@ -160,44 +141,6 @@ TEST(ObjectTracker, ForgetsWithinASecondWhatVanishesInView) {
   TrackedTraffic traffic;
   ASSERT_EQ(fused(traffic, scene, 0, 2).size(), 1U);
   EXPECT_TRUE(fused(traffic, {{30, 0}, {}}, 2, 3).empty());
-}
-
-TEST(Verification, IsTheCamerasOwn) {
-  const TrafficScene scene{{30, 0}, {{{45, 0}, {30, 0}}}};
-  TrackedTraffic traffic;
-  const auto by_radar = radar_only(traffic, scene, 0, 4);
-  ASSERT_EQ(by_radar.size(), 1U);
-  EXPECT_TRUE(by_radar[0].seen_by_radar);
-  EXPECT_FALSE(by_radar[0].seen_by_camera);
-  EXPECT_FALSE(is_witness(by_radar[0], {}));
-  const auto by_both = fused(traffic, scene, 4, 5);
-  ASSERT_EQ(by_both.size(), 1U);
-  EXPECT_TRUE(by_both[0].seen_by_camera);
-  EXPECT_TRUE(is_witness(by_both[0], {}));
-}
-
-TEST(Verification, TakesMoreThanAFewFalseBoxes) {
-  const TrafficScene ghost{{30, 0}, {{{45, 3}, {30, 0}}}};
-  const TrafficScene empty{{30, 0}, {}};
-  TrackedTraffic traffic;
-  for (int i = 0; i < 60; ++i) {
-    const double t = i * kLook;
-    traffic.radar(ghost.at(t));
-    const auto objects = traffic.camera((i % 20 == 0 ? ghost : empty).at(t));
-    for (const TrackedObject& object : objects) EXPECT_FALSE(object.seen_by_camera) << i;
-  }
-}
-
-TEST(Verification, RefusesAGhostWhereTheCameraShouldSeeAVehicle) {
-  const TrafficScene ghost{{30, 0}, {{{30, 0.5}, {30, 0}}}};
-  const TrafficScene empty{{30, 0}, {}};
-  TrackedTraffic traffic;
-  std::vector<TrackedObject> objects;
-  for (int i = 0; i < 60; ++i) {
-    traffic.radar(ghost.at(i * kLook));
-    objects = traffic.camera(empty.at(i * kLook));
-  }
-  EXPECT_TRUE(objects.empty());
 }
 
 TEST(ObjectTracker, RefusesTheMirrorImageInAGuardRail) {

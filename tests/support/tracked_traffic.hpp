@@ -3,7 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -76,6 +76,30 @@ class TrackedTraffic {
   DetectedTraffic detected;
   ObjectTracker tracker{ObjectTrackerConfig{}};
 };
+
+inline constexpr double kLook = 0.05;  ///< [s] from one look to the next
+
+/// The moments of the looks from a second on and before another.
+inline std::vector<double> moments(double from, double to) {
+  std::vector<double> moments;
+  for (auto i = std::lround(from / kLook); i < std::lround(to / kLook); ++i)
+    moments.push_back(static_cast<double>(i) * kLook);
+  return moments;
+}
+
+inline std::vector<TrackedObject> radar_only(TrackedTraffic& traffic, const TrafficScene& scene, double from,
+                                             double to) {
+  std::vector<TrackedObject> objects;
+  for (const double t : moments(from, to)) objects = traffic.radar(scene.at(t));
+  return objects;
+}
+
+inline std::vector<TrackedObject> fused(TrackedTraffic& traffic, const TrafficScene& scene, double from,
+                                        double to) {
+  std::vector<TrackedObject> objects;
+  for (const double t : moments(from, to)) objects = traffic.both(scene.at(t));
+  return objects;
+}
 
 /// The object nearest to a vehicle's rear, or null where none is within 2.5 m.
 inline const TrackedObject* nearest(const std::vector<TrackedObject>& objects, const TrueFrame& frame,
