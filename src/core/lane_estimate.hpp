@@ -49,14 +49,15 @@ struct Lane {
 enum class EstimateStatus : std::uint8_t { ok = 0, degraded = 1, invalid = 2 };
 enum class StatusReason : std::uint8_t {
   none = 0,
-  warming_up = 1,      ///< too few features seen so far
-  no_motion = 2,       ///< no odometry for this instant: nothing can be moved along
-  no_ego_lane = 3,     ///< lanes, but none that the car is in
-  source_silent = 4,   ///< a source that was there is not
-  solver_failed = 5,   ///< the graph could not be solved; the window was kept as it was
-  no_road_course = 6,  ///< too few features for a base clothoid; the lanes are predicted
-  image_fault = 7,     ///< a camera's images cannot be believed: black, cut off, frozen
-  camera_bumped = 8,   ///< a camera has moved in its mounting and is being learned anew
+  warming_up = 1,           ///< too few features seen so far
+  no_motion = 2,            ///< no odometry for this instant: nothing can be moved along
+  no_ego_lane = 3,          ///< lanes, but none that the car is in
+  source_silent = 4,        ///< a source that was there is not
+  solver_failed = 5,        ///< the graph could not be solved; the window was kept as it was
+  no_road_course = 6,       ///< too few features for a base clothoid; the lanes are predicted
+  image_fault = 7,          ///< a camera's images cannot be believed: black, cut off, frozen
+  camera_bumped = 8,        ///< a camera has moved in its mounting and is being learned anew
+  sensor_inconsistent = 9,  ///< an object sensor contradicts itself or the others and is left out
 };
 const char* to_string(EstimateStatus status);
 const char* to_string(StatusReason reason);

@@ -83,6 +83,8 @@ const char* to_string(StatusReason reason) {
       return "image_fault";
     case StatusReason::camera_bumped:
       return "camera_bumped";
+    case StatusReason::sensor_inconsistent:
+      return "sensor_inconsistent";
   }
   return "unknown";
 }

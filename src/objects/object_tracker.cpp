@@ -54,7 +54,10 @@ auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sens
 
 bool ObjectTracker::add(const SightingSet& look) {
   forget_history();
-  if (held_ > 0 && key(look) == key(history_[held_ - 1].look)) return false;
+  const auto known = history_.begin() + static_cast<std::ptrdiff_t>(held_);
+  if (std::any_of(history_.begin(), known, [&](const Entry& e) { return key(e.look) == key(look); })) {
+    return false;
+  }
   const bool late = state_.time && look.measured_at < *state_.time;
   if (late && (held_ == 0 || *state_.time - look.measured_at > from_seconds(config_.window_s))) return false;
   if (held_ == history_.size()) history_.emplace_back();

@@ -117,6 +117,11 @@ void MultiLanePerception::add(Measurement measurement) {
     inputs_.rejected += item_count(measurement);
     return;
   }
+  if (clock_was_set_back(measurement)) {
+    const InputAccounting inputs = inputs_;
+    reset();
+    inputs_ = inputs;
+  }
   if (is_long_past(measurement) || seen_before(measurement)) {
     inputs_.dropped += item_count(measurement);
     return;
@@ -143,6 +148,18 @@ bool MultiLanePerception::is_long_past(const Measurement& measurement) const {
   return next_cycle_ && *next_cycle_ - received > period_ + from_seconds(config_.reorder_window_s);
 }
 
+/// Single messages from long ago are late. Where nothing else comes for a while, it is the clock.
+bool MultiLanePerception::clock_was_set_back(const Measurement& measurement) {
+  constexpr Duration kAWhile = std::chrono::milliseconds(200);
+  const Time received = stamp_of(measurement).received_at;
+  if (!is_long_past(measurement)) {
+    long_past_since_.reset();
+    return false;
+  }
+  if (!long_past_since_ || received < *long_past_since_) long_past_since_ = received;
+  return received - *long_past_since_ > kAWhile;
+}
+
 const LaneEstimate* MultiLanePerception::advance(Time now) {
   // Strictly later: what arrives at the very moment of a cycle belongs to it.
   if (!next_cycle_ || now <= *next_cycle_) return nullptr;
@@ -158,6 +175,7 @@ const LaneEstimate* MultiLanePerception::advance(Time now) {
   estimate_.witnesses = count_witnesses(feature_sets_);
   judge_sources(time, estimate_);
   judge_cameras(estimate_);
+  judge_object_sensors(estimate_);
   return &estimate_;
 }
 
@@ -235,8 +253,20 @@ void MultiLanePerception::judge_cameras(LaneEstimate& estimate) const {
   }
 }
 
+void MultiLanePerception::judge_object_sensors(LaneEstimate& estimate) const {
+  if (!objects_ || objects_->distrusted().empty()) return;
+  estimate.sources[static_cast<std::size_t>(Source::objects)] = SourceStatus::degraded;
+  if (estimate.status != EstimateStatus::ok) return;
+  estimate.status = EstimateStatus::degraded;
+  estimate.reason = StatusReason::sensor_inconsistent;
+}
+
 std::span<const TrackedObject> MultiLanePerception::objects() const {
   return objects_ ? objects_->objects() : std::span<const TrackedObject>{};
+}
+
+std::span<const std::uint32_t> MultiLanePerception::distrusted_sensors() const {
+  return objects_ ? objects_->distrusted() : std::span<const std::uint32_t>{};
 }
 
 void MultiLanePerception::judge_sources(Time now, LaneEstimate& estimate) const {
@@ -258,6 +288,7 @@ void MultiLanePerception::reset() {
   estimator_->reset();
   pending_.clear();
   next_cycle_.reset();
+  long_past_since_.reset();
   restarts_ = 0;
   inputs_ = {};
   stamps_.clear();

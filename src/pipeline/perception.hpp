@@ -56,6 +56,9 @@ class MultiLanePerception {
   /// tracker, else as an object list gave them.
   [[nodiscard]] std::span<const TrackedObject> objects() const;
 
+  /// The ids of the object sensors that are left out, as they contradict themselves or the others.
+  [[nodiscard]] std::span<const std::uint32_t> distrusted_sensors() const;
+
   /// Lets the caller time the stages: called when one ends.
   void on_stage(LaneEstimator::StageListener listener);
 
@@ -68,8 +71,10 @@ class MultiLanePerception {
   InputAccounting hand_to_sources(const Measurement& measurement, const SourceContext& context);
   InputAccounting take_image(const CameraImage& image, const SourceContext& context);
   void judge_cameras(LaneEstimate& estimate) const;
+  void judge_object_sensors(LaneEstimate& estimate) const;
   bool seen_before(const Measurement& measurement);
   [[nodiscard]] bool is_long_past(const Measurement& measurement) const;
+  [[nodiscard]] bool clock_was_set_back(const Measurement& measurement);
   [[nodiscard]] Time last_cycle_until(Time time) const;
   void judge_sources(Time now, LaneEstimate& estimate) const;
 
@@ -88,6 +93,7 @@ class MultiLanePerception {
   std::vector<Measurement> pending_;
   std::vector<FeatureSet> feature_sets_;
   std::optional<Time> next_cycle_;
+  std::optional<Time> long_past_since_;  ///< no stamp but long past ones since this one
   std::uint32_t restarts_ = 0;
   InputAccounting inputs_;
   /// Stamps of the last moments, a kind and sensor: a message that comes twice is taken once.

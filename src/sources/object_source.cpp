@@ -15,6 +15,8 @@ constexpr Duration kReach = std::chrono::milliseconds(100);
 /// What is older than this says nothing any more.
 constexpr Duration kOldest = std::chrono::milliseconds(500);
 
+constexpr double kHalfTurn = 3.15;  ///< [rad] with some slack
+
 /// Straight on at its speed, seen from where the car is now.
 TrackedObject moved(TrackedObject object, double seconds, const Pose2& now_from_then) {
   const Pose2 then{object.x + object.speed * seconds * std::cos(object.heading),
@@ -35,28 +37,49 @@ bool is_fresh(const TrackedObject& object, Time now) {
   return of_late(object.last_radar) || of_late(object.last_camera);
 }
 
+/// Bearings of more than half a turn: whoever sends them speaks of degrees.
+bool is_turned_beyond(const RadarDetection& detection) {
+  return std::isfinite(detection.bearing) && std::abs(detection.bearing) > kHalfTurn &&
+         std::abs(detection.bearing) <= 180;
+}
+bool is_turned_beyond(const BoxDetection&) { return false; }
+
 }  // namespace
 
 InputAccounting ObjectSource::add(const Measurement& measurement, const SourceContext& context) {
   if (const auto* list = std::get_if<ObjectList>(&measurement)) return add_list(*list, context);
   if (const auto* scan = std::get_if<RadarScan>(&measurement)) {
-    return add_look(maker_.make(*scan, context, look_), scan->detections);
+    return add_look(maker_.make(*scan, context, look_), scan->detections, context);
   }
   if (const auto* boxes = std::get_if<CameraBoxes>(&measurement)) {
-    return add_look(maker_.make(*boxes, context, look_), boxes->boxes);
+    return add_look(maker_.make(*boxes, context, look_), boxes->boxes, context);
   }
   return {};
 }
 
 template <typename Detection>
-InputAccounting ObjectSource::add_look(bool made, const std::vector<Detection>& detections) {
+InputAccounting ObjectSource::add_look(bool made, const std::vector<Detection>& detections,
+                                       const SourceContext& context) {
   const auto plausible = static_cast<std::size_t>(
       std::count_if(detections.begin(), detections.end(),
                     [](const Detection& detection) { return is_plausible(detection); }));
-  const bool taken = made && tracker_.add(look_);
+  const auto turned_beyond = static_cast<std::size_t>(
+      std::count_if(detections.begin(), detections.end(),
+                    [](const Detection& detection) { return is_turned_beyond(detection); }));
+  if (made && !trust_.believe(look_, turned_beyond)) return {0, detections.size(), 0};
+  const bool taken = made && follow(context);
   const std::size_t used = taken ? look_.sightings.size() : 0;
-  if (taken) last_look_ = std::max(last_look_.value_or(look_.measured_at), look_.measured_at);
   return {used, detections.size() - plausible, plausible - used};
+}
+
+bool ObjectSource::follow(const SourceContext& context) {
+  // The dead reckoning began anew, in another frame: what the tracker knows is nowhere in it.
+  const MotionSample& first = context.motion.front();
+  const bool anew = last_look_ && first.time > *last_look_ && first.odometry_from_vehicle == Pose2{};
+  if (anew) tracker_.reset();
+  if (!tracker_.add(look_)) return false;
+  last_look_ = std::max(last_look_.value_or(look_.measured_at), look_.measured_at);
+  return true;
 }
 
 InputAccounting ObjectSource::add_list(const ObjectList& list, const SourceContext& context) {
@@ -129,6 +152,7 @@ void ObjectSource::report_list(Time now, const SourceContext& context) {
 
 void ObjectSource::reset() {
   tracker_.reset();
+  trust_.reset();
   last_list_.reset();
   last_look_.reset();
   last_witness_.reset();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "objects/object_tracker.hpp"
+#include "objects/sensor_trust.hpp"
 #include "sources/feature_source.hpp"
 #include "sources/sighting_maker.hpp"
 #include "sources/witness.hpp"
@@ -18,6 +19,7 @@ struct ObjectSourceConfig {
   WitnessConfig witness;
   ObjectTrackerConfig tracker;
   SightingMakerConfig sensors;
+  SensorTrustConfig trust;
 };
 
 /// Other vehicles as witnesses of their lanes [IROS16, sec. II-E4]: from the object lists of a production
@@ -25,7 +27,7 @@ struct ObjectSourceConfig {
 class ObjectSource final : public FeatureSource {
  public:
   explicit ObjectSource(const ObjectSourceConfig& config)
-      : config_(config), maker_(config.sensors), tracker_(config.tracker) {}
+      : config_(config), maker_(config.sensors), tracker_(config.tracker), trust_(config.trust) {}
   InputAccounting add(const Measurement& measurement, const SourceContext& context) override;
   void collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) override;
   void reset() override;
@@ -34,10 +36,14 @@ class ObjectSource final : public FeatureSource {
   /// those of the last object list.
   [[nodiscard]] std::span<const TrackedObject> objects() const { return objects_; }
 
+  /// The ids of the sensors whose detections are left out, as they contradict themselves or the others.
+  [[nodiscard]] std::span<const std::uint32_t> distrusted() const { return trust_.distrusted(); }
+
  private:
   ObjectSourceConfig config_;
   SightingMaker maker_;
   ObjectTracker tracker_;
+  SensorTrust trust_;
   SightingSet look_;
   std::optional<Time> last_look_;
   std::optional<Time> last_witness_;  ///< the look as of which the tracks bore witness last
@@ -48,7 +54,8 @@ class ObjectSource final : public FeatureSource {
 
   InputAccounting add_list(const ObjectList& list, const SourceContext& context);
   template <typename Detection>
-  InputAccounting add_look(bool made, const std::vector<Detection>& detections);
+  InputAccounting add_look(bool made, const std::vector<Detection>& detections, const SourceContext& context);
+  bool follow(const SourceContext& context);
   void report_tracks(Time now, const SourceContext& context);
   void report_list(Time now, const SourceContext& context);
   void bear_witness(std::span<const TrackedObject> objects, const Stamp& stamp, const SourceContext& context);
