@@ -165,15 +165,12 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   return track;
 }
 
-void predict(ObjectTrack& track, double seconds, const OwnWay& way, const ObjectTrackerConfig& config) {
+void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
+             const ObjectTrackerConfig& config) {
   using StateMatrix = Eigen::Matrix<double, kTrackStateSize, kTrackStateSize>;
   const double keep = std::exp(-seconds / config.wander_tau);
   StateMatrix transition = StateMatrix::Identity();
-  // Drivers follow the road.
-  const double turn = track.speed() * way.curvature * seconds;
-  transition.block<2, 2>(kTrackX, kTrackVx) = seconds * rotation(turn / 2);
-  transition.block<2, 2>(kTrackVx, kTrackVx) = rotation(turn);
-  track.heading = wrap_angle(track.heading + turn);
+  transition(kTrackX, kTrackVx) = transition(kTrackY, kTrackVy) = seconds;
   transition(kTrackWander, kTrackWander) = keep;
   const Eigen::Matrix2d acceleration =
       spread(track.heading, config.acceleration_along, config.acceleration_across);
@@ -184,7 +181,7 @@ void predict(ObjectTrack& track, double seconds, const OwnWay& way, const Object
   noise.block<2, 2>(kTrackVx, kTrackVx) = acceleration * seconds;
   noise(kTrackWander, kTrackWander) = config.wander_sigma * config.wander_sigma * (1 - keep * keep);
   // Our own dead reckoning turns away: everything swings about us.
-  const Eigen::Vector2d apart = track.position() - way.position;
+  const Eigen::Vector2d apart = track.position() - own_position;
   const double swing = config.ego_yaw_deg * kDegree;
   noise.block<2, 2>(kTrackX, kTrackX) +=
       left_of(apart) * left_of(apart).transpose() * (swing * swing * seconds);

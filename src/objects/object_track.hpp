@@ -71,12 +71,8 @@ struct TrackObservation {
 ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const ObjectTrackerConfig& config,
                         double own_heading);
 
-/// What a prediction must know beside the track: where we are, and how the road bends at the track.
-struct OwnWay {
-  Eigen::Vector2d position;  ///< [m] odometry frame
-  double curvature = 0;      ///< [1/m] of the road where the track is
-};
-void predict(ObjectTrack& track, double seconds, const OwnWay& way, const ObjectTrackerConfig& config);
+void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
+             const ObjectTrackerConfig& config);
 
 /// The vehicle's face that the sensor sees decides which of its points is seen: the rear from behind, the
 /// front from ahead, anywhere along it from beside.

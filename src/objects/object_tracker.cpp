@@ -18,16 +18,6 @@ bool drives(const ObjectTrack& track, double min_speed) {
   return std::abs(track.velocity().dot(ahead)) - 3 * std::sqrt(std::max(0.0, variance)) > min_speed;
 }
 
-/// How the road bends where the track is; what comes towards us or crosses is thought to go straight on.
-OwnWay way_at(const ObjectTrack& track, const RoadCourse& course, const Pose2& odometry_from_vehicle) {
-  constexpr double kAlong = 0.5;  // [rad]
-  constexpr double kReach = 200;  // [m]
-  const Eigen::Vector2d at = odometry_from_vehicle.inverse() * track.position();
-  const double heading = wrap_angle(track.heading - odometry_from_vehicle.heading);
-  const bool follows = std::abs(heading - course.heading(at.x()).value) < kAlong && std::abs(at.x()) < kReach;
-  return {odometry_from_vehicle.position(), follows ? course.curvature(at.x()) : 0};
-}
-
 /// What drives exactly beside another, further away than a road of three lanes is wide, with our own car on
 /// the same side of the middle between them, and was never seen by a camera, is that other one in the mirror
 /// of a guard rail in that middle.
@@ -105,7 +95,7 @@ void ObjectTracker::predict_all(const SightingSet& look) {
   state_.barriers.look(look, seconds);
   if (seconds <= 0) return;
   for (ObjectTrack& track : state_.tracks) {
-    predict(track, seconds, way_at(track, state_.course, look.odometry_from_vehicle), config_);
+    predict(track, seconds, look.odometry_from_vehicle.position(), config_);
   }
   state_.course = lane_changes_.course(look, config_, state_.tracks);
   lane_changes_.mark(look, seconds, state_.course, config_, state_.tracks);
@@ -306,7 +296,7 @@ void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
     if (!known.confirmed || known.refused || !is_vehicle) continue;
     ObjectTrack track = known;
     const double seconds = to_seconds(time - *state_.time);
-    if (seconds > 0) predict(track, seconds, way_at(track, state_.course, odometry_from_vehicle), config_);
+    if (seconds > 0) predict(track, seconds, odometry_from_vehicle.position(), config_);
     objects.push_back(described(track, vehicle_from_odometry, config_));
   }
 }

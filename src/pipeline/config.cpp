@@ -83,6 +83,8 @@ PerceptionConfig default_config(WitnessRule rule) {
   if (rule == WitnessRule::radar_only) {
     config.sources.objects.witness.rule = rule;
     config.sources.objects.sensors.long_range_radar = unknown_radar_config();
+    // Its bearings alone must tell where a vehicle is across: they need the longer look.
+    config.sources.objects.tracker.acceleration_across = 0.12;
     config.sources.ego_path.enabled = true;
     config.lanes.base.fit = BaseFit::joint;
     config.lanes.base.position_sigma = config.sources.objects.witness.driver_sigma;

@@ -120,6 +120,7 @@ TEST(Config, RadarOnlyGoesBeyondThePaperOnlyWhereItSaysSo) {
   set_key(expected, "lanes.base.fit=joint");
   set_key(expected, "lanes.base.position_sigma=0.3");
   expected.sources.objects.sensors.long_range_radar = unknown_radar_config();
+  set_key(expected, "sources.objects.tracker.acceleration_across=0.12");
   EXPECT_EQ(to_yaml(default_config(WitnessRule::radar_only)), to_yaml(expected));
   EXPECT_EQ(to_yaml(default_config(WitnessRule::radar_and_camera)), to_yaml({}));
 }
