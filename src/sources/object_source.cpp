@@ -34,7 +34,12 @@ bool is_fresh(const TrackedObject& object, Time now) {
   constexpr Duration kFresh = std::chrono::milliseconds(350);
   if (!object.last_radar && !object.last_camera) return true;
   const auto of_late = [&](const std::optional<Time>& seen) { return seen && now - *seen < kFresh; };
-  return of_late(object.last_radar) || of_late(object.last_camera);
+  // Near enough for the camera, it must be the camera's word of now, not of what the track once followed.
+  constexpr double kCameraReach = 75;  // [m]
+  constexpr Duration kLastWord = std::chrono::seconds(1);
+  const bool outdated =
+      object.last_camera && object.x < kCameraReach && now - *object.last_camera > kLastWord;
+  return !outdated && (of_late(object.last_radar) || of_late(object.last_camera));
 }
 
 /// Bearings of more than half a turn: whoever sends them speaks of degrees.
