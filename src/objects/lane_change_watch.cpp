@@ -77,7 +77,7 @@ void LaneChangeWatch::mark(const SightingSet& look, double seconds, const RoadCo
     const RoadCourse::Estimate road = course.heading(seen->x);
     const double across = std::abs(seen->heading - road.value) * track.speed();
     const double sigma = std::hypot(seen->sigma, road.sigma) * track.speed();
-    const bool moves = across > config.change_speed && across > 2 * sigma;
+    const bool moves = across > config.change_speed && across > 1.6 * sigma;
     track.across_s = std::clamp(track.across_s + (moves ? seconds : -seconds), 0.0, 2 * config.change_s);
     if (track.across_s > config.change_s) track.changing_lane = true;
     if (track.across_s <= 0) track.changing_lane = false;

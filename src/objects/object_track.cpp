@@ -50,7 +50,8 @@ SeenPoint seen_point(const ObjectTrack& track, const Eigen::Vector2d& sensor, co
   const double length = track.length();
   const double flank_side = std::copysign(half, from.y());
   const SeenPoint end{from.x() > length / 2 ? length : 0, 0, config.depth, config.scatter};
-  const SeenPoint flank{std::clamp(at.x(), 0.0, length), flank_side, 0.3 * length, config.flank_sigma};
+  const SeenPoint flank{std::clamp(at.x(), 0.0, length), flank_side, 0.3 * length,
+                        std::hypot(config.flank_sigma, track.width_sigma / 2)};
   // From straight ahead or behind, and from afar, no flank is seen.
   constexpr double kSlant = 0.12;
   const double off_side = std::abs(from.y()) - half;
@@ -194,7 +195,8 @@ TrackObservation observe(const ObjectTrack& track, const SightingSet& look, cons
     const double flank = flank_angle(track, look);
     TrackObservation observation = observe_place(track, look, sighting, sighting.bearing - flank);
     constexpr double kFlankDoubt = 0.3;  // of a flank whose length is a guess
-    const double doubt = kFlankDoubt * flank * sighting.range;
+    constexpr double kBody = 0.08;       // [m] by which a body's middle is not that of its box
+    const double doubt = std::hypot(kBody, kFlankDoubt * flank * sighting.range);
     observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, doubt);
     return observation;
   }

@@ -8,7 +8,7 @@ namespace lanefuse {
 /// numbers come from.
 struct ObjectTrackerConfig {
   // How vehicles move.
-  double acceleration_along = 0.8;    ///< [m/s^2/sqrt(Hz)] process noise along the motion
+  double acceleration_along = 1.1;    ///< [m/s^2/sqrt(Hz)] process noise along the motion
   double acceleration_across = 0.45;  ///< [m/s^2/sqrt(Hz)] across it: cars hardly move sideways
   double wander_sigma = 0.3;          ///< [m] of the reflecting point across the rear
   double wander_tau = 1;              ///< [s] for which it stays where it is

@@ -3,6 +3,7 @@
 #include "pipeline/perception.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "pipeline/graph_estimator.hpp"
@@ -188,11 +189,11 @@ void MultiLanePerception::run_sources(Time now) {
       inputs_ += dead_reckoning_.add(*motion);
   }
   SourceContext context{rig_, dead_reckoning_.samples(), lane_width_.width(now)};
-  // Tracked vehicles hide the road in images, too, unless an object list says better.
-  if (!objects().empty()) {
-    const Time then = now - period_;
-    images_.note({{then, then, 0}, {objects().begin(), objects().end()}});
-  }
+  // Vehicles that radars have placed hide the road in images, too, unless an object list says better.
+  ObjectList placed{{now - period_, now - period_, 0}, {}};
+  std::copy_if(objects().begin(), objects().end(), std::back_inserter(placed.objects),
+               [](const TrackedObject& object) { return object.seen_by_radar; });
+  if (!placed.objects.empty()) images_.note(placed);
   for (const Measurement& measurement : pending_) take(measurement, context);
   pending_.clear();
   for (const auto& source : sources_) {
