@@ -6,36 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "objects/track_relations.hpp"
 #include "objects/track_report.hpp"
 
 namespace lanefuse {
 namespace {
-
-/// Whether it surely goes faster than that, along its heading: what is passed by seems to move across.
-bool drives(const ObjectTrack& track, double min_speed) {
-  const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
-  const double variance = ahead.dot(track.state.covariance.block<2, 2>(kTrackVx, kTrackVx) * ahead);
-  return std::abs(track.velocity().dot(ahead)) - 3 * std::sqrt(std::max(0.0, variance)) > min_speed;
-}
-
-/// What drives exactly beside another, further away than a road of three lanes is wide, with our own car on
-/// the same side of the middle between them, and was never seen by a camera, is that other one in the mirror
-/// of a guard rail in that middle.
-bool is_mirror_of(const ObjectTrack& ghost, const ObjectTrack& real, const Eigen::Vector2d& own_position) {
-  constexpr double kBeside = 4;        // [m] along
-  constexpr double kFurtherOut = 8.4;  // [m] at least: twice the way from a lane's middle to the rail
-  constexpr double kFurthest = 45;     // [m]
-  constexpr double kAsFast = 1.5;      // [m/s] along
-  const Eigen::Vector2d ahead(std::cos(real.heading), std::sin(real.heading));
-  const Eigen::Vector2d left(-ahead.y(), ahead.x());
-  const Eigen::Vector2d apart = ghost.position() - real.position();
-  const double across = apart.dot(left);
-  if (std::abs(apart.dot(ahead)) > kBeside || std::abs(across) < kFurtherOut || std::abs(across) > kFurthest)
-    return false;
-  if (std::abs((ghost.velocity() - real.velocity()).dot(ahead)) > kAsFast) return false;
-  const double own = (own_position - real.position()).dot(left);
-  return (across > 0 ? own : -own) < std::abs(across) / 2;
-}
 
 /// Looks of one moment are taken in the order of their sensors, however they came.
 auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sensor_id); }
@@ -225,7 +200,7 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
     if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
-    if (track.confirmed && drives(track, config_.min_speed)) track.has_moved = true;
+    if (track.confirmed && surely_drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }
   refuse_mirrors(look);
@@ -254,24 +229,12 @@ bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& veh
   return offset.value > state_.barriers.left() + margin || offset.value < state_.barriers.right() - margin;
 }
 
-/// Two tracks of one vehicle: the older one stays.
 void ObjectTracker::merge_doubles() {
-  constexpr double kAcross = 1.1;  // [m]
-  constexpr double kAsFast = 2.5;  // [m/s]
   auto& tracks = state_.tracks;
-  const auto is_double = [&](const ObjectTrack& young, const ObjectTrack& old) {
-    if (young.id <= old.id || !old.confirmed) return false;
-    const Eigen::Vector2d ahead(std::cos(old.heading), std::sin(old.heading));
-    const Eigen::Vector2d apart = young.position() - old.position();
-    const double along = apart.dot(ahead);
-    const double across = ahead.x() * apart.y() - ahead.y() * apart.x();
-    const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
-    return std::abs(across) < kAcross + doubt && along > -config_.same_along - doubt &&
-           along < old.length() - 0.5 && (young.velocity() - old.velocity()).norm() < kAsFast;
-  };
   for (ObjectTrack& young : tracks) {
-    young.superseded = std::any_of(tracks.begin(), tracks.end(),
-                                   [&](const ObjectTrack& old) { return is_double(young, old); });
+    young.superseded = std::any_of(tracks.begin(), tracks.end(), [&](const ObjectTrack& old) {
+      return is_double(young, old, config_.same_along);
+    });
   }
   std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
 }

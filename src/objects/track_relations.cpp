@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "objects/track_relations.hpp"
+
+#include <cmath>
+
+namespace lanefuse {
+
+bool surely_drives(const ObjectTrack& track, double min_speed) {
+  const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
+  const double variance = ahead.dot(track.state.covariance.block<2, 2>(kTrackVx, kTrackVx) * ahead);
+  return std::abs(track.velocity().dot(ahead)) - 3 * std::sqrt(std::max(0.0, variance)) > min_speed;
+}
+
+bool is_mirror_of(const ObjectTrack& ghost, const ObjectTrack& real, const Eigen::Vector2d& own_position) {
+  constexpr double kBeside = 4;        // [m] along
+  constexpr double kFurtherOut = 8.4;  // [m] at least: twice the way from a lane's middle to the rail
+  constexpr double kFurthest = 45;     // [m]
+  constexpr double kAsFast = 1.5;      // [m/s] along
+  const Eigen::Vector2d ahead(std::cos(real.heading), std::sin(real.heading));
+  const Eigen::Vector2d left(-ahead.y(), ahead.x());
+  const Eigen::Vector2d apart = ghost.position() - real.position();
+  const double across = apart.dot(left);
+  if (std::abs(apart.dot(ahead)) > kBeside || std::abs(across) < kFurtherOut || std::abs(across) > kFurthest)
+    return false;
+  if (std::abs((ghost.velocity() - real.velocity()).dot(ahead)) > kAsFast) return false;
+  const double own = (own_position - real.position()).dot(left);
+  return (across > 0 ? own : -own) < std::abs(across) / 2;
+}
+
+bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_along) {
+  constexpr double kAcross = 1.1;  // [m]
+  constexpr double kAsFast = 2.5;  // [m/s]
+  if (young.id <= old.id || !old.confirmed) return false;
+  const Eigen::Vector2d ahead(std::cos(old.heading), std::sin(old.heading));
+  const Eigen::Vector2d apart = young.position() - old.position();
+  const double along = apart.dot(ahead);
+  const double across = ahead.x() * apart.y() - ahead.y() * apart.x();
+  const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
+  return std::abs(across) < kAcross + doubt && along > -same_along - doubt && along < old.length() - 0.5 &&
+         (young.velocity() - old.velocity()).norm() < kAsFast;
+}
+
+}  // namespace lanefuse
