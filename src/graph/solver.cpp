@@ -22,4 +22,20 @@ const char* to_string(SolveStatus status) {
   return "unknown";
 }
 
+const char* to_string(SolveFallback fallback) {
+  switch (fallback) {
+    case SolveFallback::none:
+      return "none";
+    case SolveFallback::not_a_window:
+      return "not_a_window";
+    case SolveFallback::cg_struggled:
+      return "cg_struggled";
+    case SolveFallback::negative_curvature:
+      return "negative_curvature";
+    case SolveFallback::uphill:
+      return "uphill";
+  }
+  return "unknown";
+}
+
 }  // namespace lanefuse

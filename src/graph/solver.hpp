@@ -13,6 +13,10 @@ struct SolverConfig {
   int max_iterations = 2;  ///< steps tried; a warm-started window needs one or two, a cold start up to 100
   double relative_tolerance = 1e-9;  ///< stop when chi2 changes by no more than this share; >= 0
   SwitchForm switch_form = SwitchForm::linear;
+  /// Conjugate gradients stop when the residual is this small a share of the first, in the norm of the
+  /// preconditioner; in (0, 1).
+  double cg_tolerance = 1e-2;
+  int max_cg_iterations = 30;  ///< a step; where they do not do, the direct solver takes over
 };
 
 enum class SolveStatus : std::uint8_t {
@@ -26,11 +30,23 @@ enum class SolveStatus : std::uint8_t {
 };
 const char* to_string(SolveStatus status);
 
+/// Why the direct solver had to take over.
+enum class SolveFallback : std::uint8_t {
+  none = 0,
+  not_a_window = 1,        ///< the graph is no chain of poses that see landmarks
+  cg_struggled = 2,        ///< too many iterations
+  negative_curvature = 3,  ///< rounding has made the equations indefinite
+  uphill = 4,              ///< a full step raised the cost
+};
+const char* to_string(SolveFallback fallback);
+
 struct SolveResult {
   SolveStatus status = SolveStatus::converged;
   int iterations = 0;       ///< steps tried
   double initial_chi2 = 0;  ///< J(V) at the start, with each switch at its best for it
   double final_chi2 = 0;    ///< J(V) as it was left; never above initial_chi2
+  int cg_iterations = 0;    ///< products with the Schur complement, over all steps
+  SolveFallback fallback = SolveFallback::none;
   [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
 };
 
