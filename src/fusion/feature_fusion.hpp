@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "fusion/association.hpp"
 #include "fusion/fusion_config.hpp"
 #include "fusion/sliding_window.hpp"
-#include "graph/solver.hpp"
+#include "graph/window_solver.hpp"
 
 namespace lanefuse {
 
@@ -32,7 +31,7 @@ struct FusionResult {
 class FeatureFusion {
  public:
   /// `config` must outlive the fusion.
-  FeatureFusion(const FusionConfig& config, std::unique_ptr<GraphSolver> solver);
+  FeatureFusion(const FusionConfig& config, std::unique_ptr<WindowSolver> solver);
 
   FusionResult process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done);
 
@@ -49,29 +48,35 @@ class FeatureFusion {
   void reset();
 
  private:
+  using Id = SlidingWindow::Id;
   struct Attachment;
+  /// The feature that one side of a track touched last: where its next smoothing edge starts.
+  struct TrackEnd {
+    std::int64_t track_id;
+    Side side;
+    Id feature;
+  };
   void add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting);
   void sample_within_reach(ClothoidMeasurement clothoid);
-  /// The vertex that now holds the feature; kForgotten where it would be a new one and the window is full.
-  VertexId add_feature(const Feature& feature, const Attachment& at);
-  void raise_confidence(VertexId id, const Feature& feature, Source source);
-  void remember(VertexId id, const Feature& feature, const Attachment& at);
+  /// The fused feature that now holds the measured one; kNone where it would be a new one and the window is
+  /// full.
+  Id add_feature(const Feature& feature, const Attachment& at);
+  void raise_confidence(Id id, const Feature& feature, Source source);
+  void remember(Id id, const Feature& feature, const Attachment& at);
   void tie(const FeatureSet& set);
-  void smooth(const Feature& feature, VertexId vertex);
-  void renumber_tracks(const std::vector<VertexId>& new_ids);
+  void smooth(const Feature& feature, Id fused);
+  void forget_tracks();
   void read_out();
 
   const FusionConfig& config_;
-  std::unique_ptr<GraphSolver> solver_;
+  std::unique_ptr<WindowSolver> solver_;
   SlidingWindow window_;
   FeatureAssociation association_;
   Pose2 odometry_from_vehicle_;  ///< at the cycle's time
   std::vector<Feature> fused_;
-  std::vector<Feature> sampled_;              ///< scratch: a set's features and the samples of its clothoids
-  std::vector<VertexId> vertex_of_;           ///< scratch: beside sampled_, where each feature went
-  std::vector<Eigen::Matrix3d> information_;  ///< scratch: beside the graph's vertices
-  /// The vertex that each side of each track touched last: where its next smoothing edge starts.
-  std::map<std::pair<std::int64_t, Side>, VertexId> last_of_track_;
+  std::vector<Feature> sampled_;  ///< scratch: a set's features and the samples of its clothoids
+  std::vector<Id> fused_of_;      ///< scratch: beside sampled_, where each feature went
+  std::vector<TrackEnd> track_ends_;
 };
 
 }  // namespace lanefuse

@@ -36,8 +36,11 @@ struct FusionConfig {
   bool width_edges = true;
   bool smoothing_edges = true;
   bool switchable = true;  ///< whether smoothing edges carry a switch variable
-  std::uint32_t max_features =
-      4096;  ///< of the window; when it is full, measurements of new ones are counted as dropped
+  /// Bounds of the window's memory. When one is nearly met, the least informative features are forgotten and
+  /// counted; what still does not fit in a cycle is counted as dropped.
+  std::uint32_t max_features = 4096;
+  std::uint32_t max_measurements = 65536;
+  std::uint32_t max_ties = 16384;
   AssociationConfig association;
   OdometryNoise odometry;
   SolverConfig solver;

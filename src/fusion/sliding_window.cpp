@@ -10,189 +10,153 @@
 
 namespace lanefuse {
 
+namespace {
+
+/// The share of the bounds that is kept free for what the next cycle brings.
+constexpr std::size_t kFreeShare = 16;
+
+std::uint64_t packed(const Witness& witness) {
+  return (static_cast<std::uint64_t>(witness.source) << 32U) | witness.sensor_id;
+}
+
+/// Puts `value` at a slot that may be the next new one.
+template <typename T>
+void put(std::vector<T>& by_id, WindowGraph::Id id, const T& value) {
+  if (id >= by_id.size()) by_id.resize(id + 1);
+  by_id[id] = value;
+}
+
+WindowGraph::Limits limits(const FusionConfig& config) {
+  WindowGraph::Limits limits;
+  limits.landmarks = config.max_features;
+  limits.observations = config.max_measurements;
+  limits.ties = config.max_ties;
+  return limits;
+}
+
+}  // namespace
+
+SlidingWindow::SlidingWindow(const FusionConfig& config) : config_(config), graph_(limits(config)) {
+  const WindowGraph::Limits reserved = limits(config);
+  keyframes_.reserve(reserved.poses);
+  features_.reserve(reserved.landmarks);
+  origins_.reserve(reserved.ties);
+  by_information_.reserve(reserved.landmarks);
+}
+
 void SlidingWindow::advance(Time time, const Pose2& odometry_from_vehicle) {
-  if (keyframes_.empty()) {
-    graph_.vertices.push_back({odometry_from_vehicle, VertexRole::pose, true});
-  } else {
-    const VertexId last = keyframes_.back();
-    const Pose2 step = vertices_[last].odometry_from_vehicle.inverse() * odometry_from_vehicle;
+  Pose2 step;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  if (!empty()) {
+    const Keyframe& last = keyframes_[graph_.chain().back()];
+    step = last.odometry_from_vehicle.inverse() * odometry_from_vehicle;
     const double distance = step.position().norm();
     if (distance < config_.keyframe_distance) return;
-    const auto current = static_cast<VertexId>(graph_.vertices.size());
-    graph_.vertices[last].fixed = false;
-    graph_.vertices.push_back({odometry_from_vehicle, VertexRole::pose, true});
-    const double seconds = to_seconds(time - vertices_[last].time);
-    append({last, current, step, odometry_information(config_.odometry, distance, seconds)}, {});
+    information = odometry_information(config_.odometry, distance, to_seconds(time - last.time));
   }
-  keyframes_.push_back(static_cast<VertexId>(graph_.vertices.size() - 1));
-  vertices_.push_back({VertexRole::pose, time, odometry_from_vehicle});
+  put(keyframes_, graph_.append_pose(odometry_from_vehicle, step, information),
+      {time, odometry_from_vehicle});
 }
 
-VertexId SlidingWindow::nearest_keyframe(Time time) const {
-  assert(!keyframes_.empty());
-  const auto distance = [&](VertexId id) { return std::chrono::abs(vertices_[id].time - time); };
-  std::size_t best = keyframes_.size() - 1;
-  while (best > 0 && distance(keyframes_[best - 1]) < distance(keyframes_[best])) --best;
-  return keyframes_[best];
+SlidingWindow::Id SlidingWindow::nearest_keyframe(Time time) const {
+  assert(!empty());
+  const auto chain = graph_.chain();
+  const auto distance = [&](std::size_t k) { return std::chrono::abs(keyframes_[chain[k]].time - time); };
+  std::size_t best = chain.size() - 1;
+  while (best > 0 && distance(best - 1) < distance(best)) --best;
+  return chain[best];
 }
 
-Pose2 SlidingWindow::window_from_vehicle(VertexId keyframe, const Pose2& odometry_from_vehicle) const {
-  return graph_.vertices[keyframe].pose *
-         (vertices_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
+Pose2 SlidingWindow::window_from_vehicle(Id keyframe, const Pose2& odometry_from_vehicle) const {
+  return graph_.pose(keyframe) *
+         (keyframes_[keyframe].odometry_from_vehicle.inverse() * odometry_from_vehicle);
 }
 
-VertexId SlidingWindow::add_feature(const Pose2& window_from_feature, Time measured_at) {
-  graph_.vertices.push_back({window_from_feature, VertexRole::landmark, false});
-  vertices_.push_back({VertexRole::landmark, measured_at, {}});
-  return static_cast<VertexId>(graph_.vertices.size() - 1);
+std::optional<SlidingWindow::Id> SlidingWindow::add_feature(const Pose2& window_from_feature,
+                                                            Time measured_at) {
+  const bool full =
+      feature_count() >= config_.max_features || graph_.observation_count() >= config_.max_measurements;
+  if (full) return std::nullopt;
+  const Id id = graph_.add_landmark(window_from_feature);
+  WindowFeature feature;
+  feature.time = measured_at;
+  put(features_, id, feature);
+  return id;
 }
 
-void SlidingWindow::append(const Edge& edge, const EdgeOrigin& origin) {
-  graph_.edges.push_back(edge);
-  origins_.push_back(origin);
+bool SlidingWindow::add_measurement(Id keyframe, Id feature, const Pose2& seen,
+                                    const PlanarInformation& information, const Witness& witness) {
+  return graph_.observe(keyframe, feature, seen, information, packed(witness));
 }
 
-bool SlidingWindow::add_measurement(const Edge& edge, const EdgeOrigin& origin) {
-  // All that a keyframe measured stands behind the odometry edge that led to it, however late some of it
-  // came.
-  for (std::size_t i = graph_.edges.size(); i-- > 0;) {
-    const Edge& other = graph_.edges[i];
-    if (origins_[i].kind == EdgeKind::odometry && other.to == edge.from) break;
-    if (origins_[i].kind != EdgeKind::measurement) continue;
-    const bool same = other.from == edge.from && other.to == edge.to && origins_[i].source == origin.source &&
-                      origins_[i].sensor_id == origin.sensor_id;
-    if (!same) continue;
-    graph_.edges[i] = edge;
-    origins_[i] = origin;
-    return false;
-  }
-  append(edge, origin);
-  return true;
+void SlidingWindow::add_tie(TieKind kind, const FeatureTie& tie, const TieOrigin& origin) {
+  if (graph_.tie_count() >= config_.max_ties) return;
+  WindowGraph::Tie edge;
+  edge.from = tie.from;
+  edge.to = tie.to;
+  edge.measurement = tie.measurement;
+  edge.kind = static_cast<std::uint32_t>(kind);
+  // Smoothing says the same in both directions; a width has a left and a right end.
+  const bool symmetric = kind == TieKind::smoothing;
+  if (symmetric && config_.switchable) edge.switch_prior = config_.switch_prior;
+  const Id id = graph_.add_tie(edge, tie.information, symmetric);
+  if (id != WindowGraph::kNone) put(origins_, id, origin);
 }
 
-void SlidingWindow::add_tie(const Edge& edge, const EdgeOrigin& origin) {
-  if (edge.from == edge.to) return;
-  for (std::size_t i = graph_.edges.size(); i-- > 0;) {
-    if (origins_[i].kind != origin.kind) continue;
-    const Edge& other = graph_.edges[i];
-    const bool same = other.from == edge.from && other.to == edge.to;
-    const bool reverse = other.from == edge.to && other.to == edge.from;
-    // Smoothing says the same in both directions; a width has a left and a right end.
-    if (same || (reverse && origin.kind == EdgeKind::smoothing)) return;
-  }
-  Edge tie = edge;
-  if (origin.kind == EdgeKind::smoothing && config_.switchable) {
-    tie.switch_index = static_cast<std::uint32_t>(graph_.switches.size());
-    graph_.switches.push_back({config_.switch_prior, 1});
-  }
-  append(tie, origin);
-}
-
-const std::vector<VertexId>& SlidingWindow::prune(Time now, const Pose2& odometry_from_vehicle) {
-  renumbered_.assign(graph_.vertices.size(), 0);
+void SlidingWindow::prune(Time now, const Pose2& odometry_from_vehicle) {
   forget_features(now, odometry_from_vehicle.inverse());
+  make_room(now);
   forget_keyframes();
-  compact();
-  return renumbered_;
 }
 
 void SlidingWindow::forget_features(Time now, const Pose2& vehicle_from_odometry) {
   const Duration max_age = from_seconds(config_.drop_age_s);
-  for (VertexId id = 0; id < vertices_.size(); ++id) {
-    if (vertices_[id].role != VertexRole::landmark) continue;
-    const Pose2& pose = graph_.vertices[id].pose;
-    const Eigen::Vector2d position = vehicle_from_odometry * pose.position();
-    const bool near = position.x() > -config_.drop_behind && position.x() < config_.drop_beyond &&
-                      std::abs(position.y()) < config_.drop_lateral && std::isfinite(pose.heading);
+  const double c = std::cos(vehicle_from_odometry.heading);
+  const double s = std::sin(vehicle_from_odometry.heading);
+  for (Id id = 0; id < graph_.landmark_slots(); ++id) {
+    if (!graph_.is_alive(id)) continue;
+    const Pose2 pose = graph_.landmark(id);
+    const double x = vehicle_from_odometry.x + c * pose.x - s * pose.y;
+    const double y = vehicle_from_odometry.y + s * pose.x + c * pose.y;
+    const bool near = x > -config_.drop_behind && x < config_.drop_beyond &&
+                      std::abs(y) < config_.drop_lateral && std::isfinite(pose.heading);
     // Written so that a pose that is not a number goes, too.
-    if (!near || now - vertices_[id].time > max_age) renumbered_[id] = kForgotten;
+    if (!near || now - features_[id].time > max_age) graph_.remove_landmark(id);
   }
+}
+
+void SlidingWindow::make_room(Time now) {
+  const auto room = [](std::size_t bound) { return bound - bound / kFreeShare; };
+  const bool crowded = feature_count() > room(config_.max_features) ||
+                       graph_.observation_count() > room(config_.max_measurements) ||
+                       graph_.tie_count() > room(config_.max_ties);
+  if (!crowded) return;
+  by_information_.clear();
+  for (Id id = 0; id < graph_.landmark_slots(); ++id) {
+    // What has just been seen for the first time could not have told more yet.
+    if (graph_.is_alive(id) && features_[id].time < now)
+      by_information_.emplace_back(graph_.observed_information(id).yy, id);
+  }
+  const std::size_t least = std::min(by_information_.size(), config_.max_features / kFreeShare + 1);
+  std::partial_sort(by_information_.begin(), by_information_.begin() + static_cast<std::ptrdiff_t>(least),
+                    by_information_.end());
+  for (std::size_t i = 0; i < least; ++i) graph_.remove_landmark(by_information_[i].second);
+  crowded_out_ += least;
 }
 
 void SlidingWindow::forget_keyframes() {
-  held_.assign(vertices_.size(), 0);
-  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-    const Edge& edge = graph_.edges[i];
-    if (origins_[i].kind == EdgeKind::measurement && renumbered_[edge.to] != kForgotten) held_[edge.from] = 1;
-  }
   // The newest stays: it is the gauge, and the next step starts from it.
-  std::vector<VertexId> kept;
-  for (std::size_t k = 0; k < keyframes_.size(); ++k) {
-    const VertexId id = keyframes_[k];
-    if (held_[id] != 0 || k + 1 == keyframes_.size()) {
-      kept.push_back(id);
-      continue;
-    }
-    if (!kept.empty()) bridge(k);
-    renumbered_[id] = kForgotten;
+  for (std::size_t k = keyframe_count(); k-- > 0;) {
+    if (k + 1 == keyframe_count() || graph_.observations_from(graph_.chain()[k]) != 0) continue;
+    graph_.remove_pose(k);
   }
-  keyframes_ = std::move(kept);
 }
 
-void SlidingWindow::bridge(std::size_t keyframe) {
-  const VertexId gone = keyframes_[keyframe];
-  Edge* into = nullptr;
-  Edge* out_of = nullptr;
-  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-    if (origins_[i].kind != EdgeKind::odometry) continue;
-    if (graph_.edges[i].to == gone) into = &graph_.edges[i];
-    if (graph_.edges[i].from == gone) out_of = &graph_.edges[i];
-  }
-  assert(into && out_of);
-  // Cov(a*b) with the first step's heading error swinging the second step's end; in the composed
-  // measurement's frame.
-  Eigen::Matrix3d first = Eigen::Matrix3d::Identity();
-  const Pose2 back = out_of->measurement.inverse();
-  first.topLeftCorner<2, 2>() = rotation(back.heading);
-  first(0, 2) = back.y;
-  first(1, 2) = -back.x;
-  const Eigen::Matrix3d covariance =
-      first * into->information.inverse() * first.transpose() + out_of->information.inverse();
-  out_of->measurement = into->measurement * out_of->measurement;
-  out_of->information = covariance.inverse();
-  out_of->from = into->from;
-  into->to = into->from;  // a loop onto itself: swept away with the keyframe
+std::size_t SlidingWindow::edge_count() const {
+  const std::size_t steps = empty() ? 0 : keyframe_count() - 1;
+  return steps + graph_.observation_count() + graph_.tie_count();
 }
 
-void SlidingWindow::compact() {
-  VertexId next = 0;
-  for (VertexId id = 0; id < vertices_.size(); ++id) {
-    if (renumbered_[id] == kForgotten) continue;
-    renumbered_[id] = next;
-    graph_.vertices[next] = graph_.vertices[id];
-    vertices_[next++] = vertices_[id];
-  }
-  graph_.vertices.resize(next);
-  vertices_.resize(next);
-  for (VertexId& keyframe : keyframes_) keyframe = renumbered_[keyframe];
-
-  std::size_t edge_count = 0;
-  std::uint32_t switch_count = 0;
-  for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
-    Edge edge = graph_.edges[i];
-    const bool stays =
-        edge.from != edge.to && renumbered_[edge.from] != kForgotten && renumbered_[edge.to] != kForgotten;
-    if (!stays) continue;
-    edge.from = renumbered_[edge.from];
-    edge.to = renumbered_[edge.to];
-    if (edge.switch_index != kNoSwitch) {
-      // Switches stand in the order of their edges, so none is overwritten before it is read.
-      graph_.switches[switch_count] = graph_.switches[edge.switch_index];
-      edge.switch_index = switch_count++;
-    }
-    graph_.edges[edge_count] = edge;
-    origins_[edge_count++] = origins_[i];
-  }
-  graph_.edges.resize(edge_count);
-  origins_.resize(edge_count);
-  graph_.switches.resize(switch_count);
-}
-
-void SlidingWindow::clear() {
-  graph_ = {};
-  vertices_.clear();
-  origins_.clear();
-  keyframes_.clear();
-}
+void SlidingWindow::clear() { graph_.clear(); }
 
 }  // namespace lanefuse

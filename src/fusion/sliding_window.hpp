@@ -3,37 +3,52 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/feature.hpp"
 #include "core/time.hpp"
 #include "fusion/fusion_config.hpp"
-#include "graph/pose_graph.hpp"
+#include "graph/window_graph.hpp"
 
 namespace lanefuse {
 
-enum class EdgeKind : std::uint8_t { odometry = 0, measurement = 1, width = 2, smoothing = 3 };
+/// What ties two features of the window.
+enum class TieKind : std::uint32_t { width = 0, smoothing = 1 };
 
-/// What an edge of the window is, beside the graph's own Edge of the same index.
-struct EdgeOrigin {
-  EdgeKind kind = EdgeKind::odometry;
-  Source source = Source::user;
-  std::uint32_t sensor_id = 0;
+/// What a tie of the window is, beside the graph's own.
+struct TieOrigin {
   std::int64_t track_id = kNoTrack;
   Side side = Side::none;
 };
 
-/// What a vertex of the window is, beside the graph's own Vertex of the same index: a keyframe of the car's
-/// own path, or a fused lane feature.
-struct WindowVertex {
-  VertexRole role = VertexRole::pose;
-  Time time{};                                     ///< a keyframe's stamp; a feature's last measurement
-  Pose2 odometry_from_vehicle;                     ///< a keyframe's dead-reckoned pose
-  double confidence = 0;                           ///< of a feature
-  MarkingEvidence marking;                         ///< of a feature
-  std::int64_t track_id = kNoTrack;                ///< the last tracked thing that witnessed a feature
+/// A constraint between two features, with the information in the frame of the measurement.
+struct FeatureTie {
+  WindowGraph::Id from, to;
+  Pose2 measurement;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+};
+
+/// What a keyframe of the car's own path is, beside the graph's own pose.
+struct Keyframe {
+  Time time{};
+  Pose2 odometry_from_vehicle;  ///< as dead-reckoned
+};
+
+/// What a fused lane feature is, beside the graph's own landmark.
+struct WindowFeature {
+  Time time{};            ///< of its last measurement
+  double confidence = 0;  ///< in [0, 1]
+  MarkingEvidence marking;
+  std::int64_t track_id = kNoTrack;                ///< the last tracked thing that witnessed it
   Side side = Side::none;                          ///< and on which side of it
-  std::array<std::uint16_t, kSourceCount> hits{};  ///< measurements of a feature, a source
+  std::array<std::uint16_t, kSourceCount> hits{};  ///< measurements, a source
+};
+
+/// Who measured: a second look of the same sensor from the same keyframe replaces its first.
+struct Witness {
+  Source source = Source::user;
+  std::uint32_t sensor_id = 0;
 };
 
 /// The graph over the last stretch of road [IROS16, sec. II-E]: keyframes x_{t-tau:t}, lane features
@@ -43,62 +58,68 @@ struct WindowVertex {
 /// dead-reckoned pose (the gauge), so that frame stays the newest keyframe's frame moved by odometry alone,
 /// and no vertex has to be rewritten as the car drives on. The vehicle frame is made at the output.
 ///
-/// Ids of vertices are indices; they change in `prune` only.
+/// Ids are the graph's: a feature keeps its id until it is forgotten, in `prune` only.
 class SlidingWindow {
  public:
-  explicit SlidingWindow(const FusionConfig& config) : config_(config) {}
+  using Id = WindowGraph::Id;
+
+  explicit SlidingWindow(const FusionConfig& config);
 
   /// Moves the window on to `time`: adds a keyframe if the car has moved far enough since the last one.
   void advance(Time time, const Pose2& odometry_from_vehicle);
 
   /// The keyframe nearest in time to `time`. The window must not be empty.
-  [[nodiscard]] VertexId nearest_keyframe(Time time) const;
+  [[nodiscard]] Id nearest_keyframe(Time time) const;
 
   /// Where the vehicle was, in the window's frame, when it measured at `odometry_from_vehicle`, next to
   /// `keyframe`.
-  [[nodiscard]] Pose2 window_from_vehicle(VertexId keyframe, const Pose2& odometry_from_vehicle) const;
+  [[nodiscard]] Pose2 window_from_vehicle(Id keyframe, const Pose2& odometry_from_vehicle) const;
 
-  VertexId add_feature(const Pose2& window_from_feature, Time measured_at);
+  /// A new feature, or nothing where the window is full.
+  std::optional<Id> add_feature(const Pose2& window_from_feature, Time measured_at);
 
-  /// Ties a feature to a keyframe. A second measurement by the same sensor from the same keyframe replaces
-  /// the first: a standing car learns nothing new by looking again, and the window stays bounded. Returns
-  /// whether it was the first.
-  bool add_measurement(const Edge& edge, const EdgeOrigin& origin);
+  /// Ties a feature to a keyframe; the information is in the feature's measured frame. A second measurement
+  /// by the same sensor from the same keyframe replaces the first: a standing car learns nothing new by
+  /// looking again, and the window stays bounded. Returns whether it was the first.
+  bool add_measurement(Id keyframe, Id feature, const Pose2& seen, const PlanarInformation& information,
+                       const Witness& witness);
 
-  /// Adds a width or smoothing edge unless the two features are one, or are tied like this already.
-  void add_tie(const Edge& edge, const EdgeOrigin& origin);
+  /// Adds a width or smoothing edge unless the two features are one, or are tied like this already, or the
+  /// window is full.
+  void add_tie(TieKind kind, const FeatureTie& tie, const TieOrigin& origin);
 
-  /// Forgets features that are behind, beyond reach or stale, then keyframes that no measurement holds. A
-  /// keyframe that falls out of the middle leaves the composition of its two odometry edges. `renumber(old)`
-  /// of the result is the new id of a vertex, or kForgotten.
-  static constexpr VertexId kForgotten = 0xffffffff;
-  const std::vector<VertexId>& prune(Time now, const Pose2& odometry_from_vehicle);
+  /// Forgets features that are behind, beyond reach or stale; of what is left the least informative, as far
+  /// as the bounds of the configuration ask for room; then keyframes that no measurement holds. A keyframe
+  /// that falls out of the middle leaves the composition of its two odometry edges.
+  void prune(Time now, const Pose2& odometry_from_vehicle);
 
   void clear();
 
-  [[nodiscard]] bool empty() const { return keyframes_.empty(); }
-  [[nodiscard]] std::size_t feature_count() const { return graph_.vertices.size() - keyframes_.size(); }
-  [[nodiscard]] std::size_t keyframe_count() const { return keyframes_.size(); }
-  [[nodiscard]] const PoseGraph& graph() const { return graph_; }
-  [[nodiscard]] PoseGraph& graph() { return graph_; }
-  [[nodiscard]] const WindowVertex& vertex(VertexId id) const { return vertices_[id]; }
-  [[nodiscard]] WindowVertex& vertex(VertexId id) { return vertices_[id]; }
-  [[nodiscard]] const EdgeOrigin& origin(std::size_t edge) const { return origins_[edge]; }
+  [[nodiscard]] bool empty() const { return graph_.chain().empty(); }
+  [[nodiscard]] std::size_t feature_count() const { return graph_.landmark_count(); }
+  [[nodiscard]] std::size_t keyframe_count() const { return graph_.chain().size(); }
+  [[nodiscard]] std::size_t edge_count() const;
+  /// Features forgotten for want of room, since the beginning.
+  [[nodiscard]] std::uint64_t crowded_out() const { return crowded_out_; }
+  [[nodiscard]] const WindowGraph& graph() const { return graph_; }
+  [[nodiscard]] WindowGraph& graph() { return graph_; }
+  [[nodiscard]] const Keyframe& keyframe(Id id) const { return keyframes_[id]; }
+  [[nodiscard]] const WindowFeature& feature(Id id) const { return features_[id]; }
+  [[nodiscard]] WindowFeature& feature(Id id) { return features_[id]; }
+  [[nodiscard]] const TieOrigin& origin(Id tie) const { return origins_[tie]; }
 
  private:
   void forget_features(Time now, const Pose2& vehicle_from_odometry);
+  void make_room(Time now);
   void forget_keyframes();
-  void bridge(std::size_t keyframe);
-  void compact();
-  void append(const Edge& edge, const EdgeOrigin& origin);
 
   const FusionConfig& config_;
-  PoseGraph graph_;
-  std::vector<WindowVertex> vertices_;  ///< beside graph_.vertices
-  std::vector<EdgeOrigin> origins_;     ///< beside graph_.edges
-  std::vector<VertexId> keyframes_;     ///< from old to new
-  std::vector<VertexId> renumbered_;    ///< scratch: new id of each vertex, kForgotten for those that go
-  std::vector<char> held_;              ///< scratch: whether a keyframe has a measurement
+  WindowGraph graph_;
+  std::vector<Keyframe> keyframes_;                    ///< by pose
+  std::vector<WindowFeature> features_;                ///< by landmark
+  std::vector<TieOrigin> origins_;                     ///< by tie
+  std::vector<std::pair<double, Id>> by_information_;  ///< scratch
+  std::uint64_t crowded_out_ = 0;
 };
 
 }  // namespace lanefuse

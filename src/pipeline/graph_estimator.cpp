@@ -9,7 +9,7 @@ namespace lanefuse {
 GraphEstimator::GraphEstimator(const FusionConfig& fusion, const LaneModelConfig& lanes)
     : fusion_config_(fusion),
       lanes_config_(lanes),
-      fusion_(fusion_config_, make_schur_solver()),
+      fusion_(fusion_config_, std::make_unique<ConjugateGradientSolver>()),
       lanes_(lanes_config_) {}
 
 const LaneEstimate& GraphEstimator::process(const Cycle& cycle) {
