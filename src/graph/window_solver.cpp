@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kLeastDeterminantShare = 1e-13;
 
+/// Two costs as near as this to each other are the same but for rounding.
+constexpr double kRounding = 1e-13;
+
+constexpr int kMaxHalvings = 12;
+
 void set_zero(Quads& v, std::size_t size) { v.assign(size, Quad{}); }
 
 double dot(std::span<const Quad> a, std::span<const Quad> b) {
@@ -49,9 +54,8 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     result.status = SolveStatus::no_fixed_vertex;
     return result;
   }
-  double cost_here = linearize(graph, config.switch_form);
-  result.initial_chi2 = result.final_chi2 = cost_here;
-  if (!std::isfinite(cost_here)) {
+  result.initial_chi2 = result.final_chi2 = linearize(graph, config.switch_form);
+  if (!std::isfinite(result.final_chi2)) {
     result.status = SolveStatus::not_finite;
     return result;
   }
@@ -66,28 +70,40 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     if (step == Step::struggled) return fall_back(graph, config, result, SolveFallback::cg_struggled);
     if (step == Step::negative_curvature)
       return fall_back(graph, config, result, SolveFallback::negative_curvature);
-    best_places_ = system_.places;
-    best_landmarks_ = system_.landmarks;
-    take_step(graph);
     const bool last = result.iterations == config.max_iterations;
-    cost_here = last ? cost(graph, config.switch_form) : linearize(graph, config.switch_form);
-    const double gain = result.final_chi2 - cost_here;
-    const bool settled = std::abs(gain) <= config.relative_tolerance * result.final_chi2;
-    if (!(gain >= 0)) {
-      system_.places.swap(best_places_);
-      system_.landmarks.swap(best_landmarks_);
-      if (!settled) return fall_back(graph, config, result, SolveFallback::uphill);
-      cost(graph, config.switch_form);  // for the switches
-    } else {
-      result.final_chi2 = cost_here;
-    }
-    if (settled) {
+    if (!descend(graph, config, last, result)) {
       result.status = SolveStatus::converged;
       break;
     }
   }
   write_back(graph);
   return result;
+}
+
+/// Goes the found step, or as much of it as leads down; false if nothing worth going is left. The full step
+/// is right where the window starts from the last cycle's solution; from further away its end may lie higher.
+bool ConjugateGradientSolver::descend(const WindowGraph& graph, const SolverConfig& config, bool last,
+                                      SolveResult& result) {
+  best_places_ = system_.places;
+  best_landmarks_ = system_.landmarks;
+  const double enough = std::max(config.relative_tolerance, kRounding) * result.final_chi2;
+  double share = 1;
+  for (int halvings = 0; halvings < kMaxHalvings; ++halvings, share /= 2) {
+    take_step(graph, share);
+    const double here = last ? cost(graph, config.switch_form) : linearize(graph, config.switch_form);
+    if (here <= result.final_chi2) {
+      const bool goes_on = result.final_chi2 - here > enough;
+      result.final_chi2 = here;
+      return goes_on;
+    }
+    if (here - result.final_chi2 <= enough) break;
+    ++result.halvings;
+  }
+  system_.places = best_places_;
+  system_.landmarks = best_landmarks_;
+  place_turns(graph);
+  cost(graph, config.switch_form);  // the switches belong to these places
+  return false;
 }
 
 bool ConjugateGradientSolver::prepare(const WindowGraph& graph) {
@@ -226,13 +242,13 @@ void ConjugateGradientSolver::multiply(const WindowGraph& graph, std::span<const
   chain_.add_product(graph, p, product);
 }
 
-void ConjugateGradientSolver::take_step(const WindowGraph& graph) {
+void ConjugateGradientSolver::take_step(const WindowGraph& graph, double share) {
   for (const WindowGraph::Id id : graph.chain()) {
-    system_.places[id] += step_[id];
+    system_.places[id] = best_places_[id] + share * step_[id];
     system_.places[id][2] = wrap_angle(system_.places[id][2]);
   }
   for (std::size_t r = 0; r < system_.runs.size(); ++r) {
-    system_.landmarks[r] += landmark_step_[r];
+    system_.landmarks[r] = best_landmarks_[r] + share * landmark_step_[r];
     system_.landmarks[r][2] = wrap_angle(system_.landmarks[r][2]);
   }
   place_turns(graph);
