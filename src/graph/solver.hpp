@@ -15,7 +15,7 @@ struct SolverConfig {
   SwitchForm switch_form = SwitchForm::linear;
   /// Conjugate gradients stop when the residual is this small a share of the first, in the norm of the
   /// preconditioner; in (0, 1).
-  double cg_tolerance = 1e-2;
+  double cg_tolerance = 0.03;
   int max_cg_iterations = 30;  ///< a step; where they do not do, the direct solver takes over
 };
 

@@ -48,7 +48,7 @@ std::optional<Eigen::Vector3d> BaseClothoidFit::solve(std::span<const Feature> f
     if (roles_[i] != FitRole::inlier) continue;
     const Eigen::Vector3d row = slope_row(features[i].x);
     normal_ += features[i].confidence * row * row.transpose();
-    right += features[i].confidence * std::tan(features[i].heading) * row;
+    right += features[i].confidence * tangents_[i] * row;
     ++count;
   }
   if (count < config_.min_features) return std::nullopt;
@@ -59,7 +59,7 @@ bool BaseClothoidFit::cut_outliers(std::span<const Feature> features, const Eige
   residuals_.clear();
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (roles_[i] == FitRole::unused) continue;
-    residuals_.push_back(std::abs(std::tan(features[i].heading) - slope_row(features[i].x).dot(shape)));
+    residuals_.push_back(std::abs(tangents_[i] - slope_row(features[i].x).dot(shape)));
   }
   const auto middle = residuals_.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 2);
   sorted_ = residuals_;
@@ -81,8 +81,11 @@ std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> featur
   const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
   scatter_ = config_.correlation * sigma * sigma;
   roles_.assign(features.size(), FitRole::unused);
+  tangents_.resize(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {
-    if (considered(features[i])) roles_[i] = FitRole::inlier;
+    if (!considered(features[i])) continue;
+    roles_[i] = FitRole::inlier;
+    tangents_[i] = std::tan(features[i].heading);
   }
   std::optional<Eigen::Vector3d> shape = solve(features);
   for (int i = 0; i < config_.max_iterations; ++i) {
@@ -106,7 +109,7 @@ double BaseClothoidFit::scatter(std::span<const Feature> features, const Eigen::
   double correlation = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (roles_[i] != FitRole::inlier) continue;
-    const double residual = std::tan(features[i].heading) - slope_row(features[i].x).dot(shape);
+    const double residual = tangents_[i] - slope_row(features[i].x).dot(shape);
     sum += features[i].confidence * residual * residual;
     ++count;
     const bool tracked = features[i].track_id != kNoTrack;
@@ -132,7 +135,7 @@ std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> fea
     if (roles_[i] == FitRole::inlier) {
       const Eigen::Vector3d row = slope_row(feature.x);
       normal += feature.confidence * row * row.transpose();
-      right += feature.confidence * std::tan(feature.heading) * row;
+      right += feature.confidence * tangents_[i] * row;
     }
     if (group[i] < 0) continue;
     const Eigen::Vector3d row = position_row(feature.x);

@@ -53,6 +53,7 @@ class BaseClothoidFit {
 
   const BaseClothoidConfig& config_;
   std::vector<FitRole> roles_;
+  std::vector<double> tangents_;  ///< of the headings of the features considered
   /// What ties a boundary's offset to the course in the joint fit.
   struct OffsetTerms {
     Eigen::Vector3d course = Eigen::Vector3d::Zero();
