@@ -18,7 +18,6 @@ const std::vector<CeresSetting>& all_ceres_settings() {
       {"sparse_schur_landmarks_first", SPARSE_SCHUR, JACOBI, SUITE_SPARSE, false, true},
       {"iterative_schur", ITERATIVE_SCHUR, SCHUR_JACOBI},
       {"iterative_schur_landmarks_first", ITERATIVE_SCHUR, SCHUR_JACOBI, SUITE_SPARSE, false, true},
-      {"iterative_schur_explicit", ITERATIVE_SCHUR, SCHUR_JACOBI, SUITE_SPARSE, false, true, true},
       {"conjugate_gradients", CGNR},
   };
   return settings;
@@ -30,7 +29,6 @@ ceres::Solver::Options ceres_options(const CeresSetting& setting, const CeresPro
   options.preconditioner_type = setting.preconditioner;
   options.sparse_linear_algebra_library_type = setting.sparse_library;
   options.dynamic_sparsity = setting.dynamic_sparsity;
-  options.use_explicit_schur_complement = setting.explicit_complement;
   if (setting.landmarks_first && !problem.groups()[0].empty()) {
     options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     for (int group = 0; group < 2; ++group) {

@@ -17,8 +17,7 @@ struct CeresSetting {
   ceres::PreconditionerType preconditioner = ceres::JACOBI;
   ceres::SparseLinearAlgebraLibraryType sparse_library = ceres::SUITE_SPARSE;
   bool dynamic_sparsity = false;
-  bool landmarks_first = false;      ///< our elimination groups instead of Ceres's own choice
-  bool explicit_complement = false;  ///< ITERATIVE_SCHUR forms the complement it multiplies with
+  bool landmarks_first = false;  ///< our elimination groups instead of Ceres's own choice
 };
 
 /// All settings that are worth a try and that this Ceres has.
