@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/command_line.hpp"
-#include "cli/graph_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/strip_command.hpp"
@@ -62,22 +61,6 @@ void add_strip(CommandLine& line) {
   command.add_option("drive", options.drive, "the recorded drive (.mcap)")->required();
   command.add_option("-o,--output", options.output, "the copy to write (.mcap)")->required();
   finish(command, line, options, strip);
-}
-
-void add_graph(CommandLine& line) {
-  auto& options = line.make<GraphSolveOptions>();
-  CLI::App& graph = *line.app.add_subcommand("graph", "planar pose graphs, of lanes or of anything");
-  demand_subcommand(graph);
-  CLI::App& command = *graph.add_subcommand("solve", "find the optimum of a .g2o file");
-  command.add_option("file", options.file, "the graph (.g2o: VERTEX_SE2, EDGE_SE2, FIX)")->required();
-  command.add_option("-o,--output", options.output, "the solved graph to write (.g2o)");
-  command.add_option("--max-iterations", options.max_iterations, "Gauss-Newton iterations at most")
-      ->capture_default_str();
-  command.add_flag("--switchable", options.switchable, "let every loop closure switch off");
-  finish(command, line, options, [](const GraphSolveOptions& o) {
-    graph_solve(o);
-    return 0;
-  });
 }
 
 }  // namespace

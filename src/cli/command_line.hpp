@@ -48,6 +48,7 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
 void add_benchmark(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_evaluate(CommandLine& line);
+void add_graph(CommandLine& line);
 void add_import(CommandLine& line);
 void add_map(CommandLine& line);
 void add_overlay(CommandLine& line);
