@@ -89,6 +89,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
+  add_bench(*line);
   add_map(*line);
   add_calibrate(*line);
   try {

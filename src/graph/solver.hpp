@@ -29,6 +29,7 @@ const char* to_string(SolveStatus status);
 struct SolveResult {
   SolveStatus status = SolveStatus::converged;
   int iterations = 0;       ///< steps tried
+  int cg_iterations = 0;    ///< of conjugate gradients, in all of them together; 0 for a direct solver
   double initial_chi2 = 0;  ///< J(V) at the start, with each switch at its best for it
   double final_chi2 = 0;    ///< J(V) as it was left; never above initial_chi2
   [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
