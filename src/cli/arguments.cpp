@@ -26,6 +26,8 @@ void add_run(CommandLine& line) {
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
+  command.add_option("--dump-graphs", options.graph_folder,
+                     "a folder for each cycle's graph before it is solved (000000.g2o, ...)");
   command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
       ->expected(1)
       ->take_all();

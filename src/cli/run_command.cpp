@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_sidecar.hpp"
+#include "cli/window_dump.hpp"
 #include "core/error.hpp"
 #include "pipeline/perception.hpp"
 #include "recording/drive_reader.hpp"
@@ -192,6 +194,11 @@ int run(const RunOptions& options) {
   }
 
   MultiLanePerception perception(config, reader.rig());
+  std::optional<WindowDump> windows;
+  if (options.graph_folder) {
+    windows.emplace(*options.graph_folder, options.force);
+    perception.on_window([&windows](const PoseGraph& window) { windows->write(window); });
+  }
   LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
   Stopwatch watch;
   RunTotals totals;

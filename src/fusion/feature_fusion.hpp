@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/estimator.hpp"
@@ -33,6 +35,11 @@ class FeatureFusion {
  public:
   /// `config` must outlive the fusion.
   FeatureFusion(const FusionConfig& config, std::unique_ptr<GraphSolver> solver);
+
+  /// Is shown the window of each cycle right before it is solved: the newest keyframe fixed, all others and
+  /// the features where the last cycle left them.
+  using WindowListener = std::function<void(const PoseGraph&)>;
+  void on_window(WindowListener listener) { window_listener_ = std::move(listener); }
 
   FusionResult process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done);
 
@@ -63,6 +70,7 @@ class FeatureFusion {
 
   const FusionConfig& config_;
   std::unique_ptr<GraphSolver> solver_;
+  WindowListener window_listener_;
   SlidingWindow window_;
   FeatureAssociation association_;
   Pose2 odometry_from_vehicle_;  ///< at the cycle's time
