@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/command_line.hpp"
-#include "cli/graph_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/strip_command.hpp"
@@ -27,6 +26,11 @@ void add_run(CommandLine& line) {
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
+  command.add_option("--solver", options.solver,
+                     "another solver for the graph, for comparison: direct, ceres, ceres:SETTING")
+      ->capture_default_str();
+  command.add_option("--dump-graphs", options.graph_folder,
+                     "a folder for each cycle's graph before it is solved (000000.g2o, ...)");
   command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
       ->expected(1)
       ->take_all();
@@ -64,22 +68,6 @@ void add_strip(CommandLine& line) {
   finish(command, line, options, strip);
 }
 
-void add_graph(CommandLine& line) {
-  auto& options = line.make<GraphSolveOptions>();
-  CLI::App& graph = *line.app.add_subcommand("graph", "planar pose graphs, of lanes or of anything");
-  demand_subcommand(graph);
-  CLI::App& command = *graph.add_subcommand("solve", "find the optimum of a .g2o file");
-  command.add_option("file", options.file, "the graph (.g2o: VERTEX_SE2, EDGE_SE2, FIX)")->required();
-  command.add_option("-o,--output", options.output, "the solved graph to write (.g2o)");
-  command.add_option("--max-iterations", options.max_iterations, "Gauss-Newton iterations at most")
-      ->capture_default_str();
-  command.add_flag("--switchable", options.switchable, "let every loop closure switch off");
-  finish(command, line, options, [](const GraphSolveOptions& o) {
-    graph_solve(o);
-    return 0;
-  });
-}
-
 }  // namespace
 
 std::string not_negative(const std::string& text) {
@@ -106,6 +94,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
+  add_bench(*line);
   add_map(*line);
   add_calibrate(*line);
   try {
