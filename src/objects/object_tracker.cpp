@@ -8,12 +8,29 @@
 
 #include "objects/track_relations.hpp"
 #include "objects/track_report.hpp"
+#include "objects/track_shape.hpp"
 
 namespace lanefuse {
 namespace {
 
 /// Looks of one moment are taken in the order of their sensors, however they came.
 auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sensor_id); }
+
+/// A truck that no camera has seen: where reflections lie behind what was taken for its rear, that was a part
+/// of its flank.
+void lengthen(ObjectTrack& track, bool backwards) {
+  const double more = kTruckLength - track.length();
+  if (more <= 0) return;
+  const Eigen::Vector2d rear = track.position();
+  suppose_length(track, kTruckLength, kTruckLengthSigma);
+  if (backwards) {
+    const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
+    track.state.mean.segment<2>(kTrackX) = rear - more * ahead;
+    track.state.covariance.block<2, 2>(kTrackX, kTrackX) +=
+        kTruckLengthSigma * kTruckLengthSigma * ahead * ahead.transpose();
+  }
+  track.width = 2.5;
+}
 
 }  // namespace
 
@@ -70,10 +87,22 @@ void ObjectTracker::predict_all(const SightingSet& look) {
   state_.barriers.look(look, seconds);
   if (seconds <= 0) return;
   for (ObjectTrack& track : state_.tracks) {
-    predict(track, seconds, look.odometry_from_vehicle.position(), config_);
+    predict(track, seconds, look.odometry_from_vehicle.position(),
+            curvature_at(track, look.odometry_from_vehicle), config_);
   }
   state_.course = lane_changes_.course(look, config_, state_.tracks);
   lane_changes_.mark(look, seconds, state_.course, config_, state_.tracks);
+}
+
+/// [1/m] Of the road where the track is, if it drives our way along it.
+double ObjectTracker::curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const {
+  constexpr double kOurWay = 0.5;  // [rad]
+  constexpr double kReach = 200;   // [m]
+  if (track.speed() < config_.min_speed) return 0;
+  const Pose2 vehicle_from_odometry = odometry_from_vehicle.inverse();
+  if (std::abs(wrap_angle(track.heading + vehicle_from_odometry.heading)) > kOurWay) return 0;
+  const double x = (vehicle_from_odometry * track.position()).x();
+  return std::abs(x) < kReach ? state_.course.curvature(x) : 0;
 }
 
 void ObjectTracker::associate(const SightingSet& look) {
@@ -161,12 +190,13 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
 /// On the body of a confirmed track, as fast as it is. Nobody follows so near at such a speed: what is seen a
 /// little beyond its ends is more of the same vehicle.
 bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& sighting) {
-  constexpr double kAround = 1.2;  // [m] about the body
-  constexpr double kFast = 10;     // [m/s] from which it holds
-  constexpr double kMore = 6;      // [m] at a time
-  constexpr double kLongest = 20;  // [m]
-  constexpr double kNear = 25;     // [m] to the sensor: further off, places are too uncertain
-  constexpr int kSurely = 8;       // times
+  constexpr double kAround = 1.2;      // [m] about the body
+  constexpr double kFast = 10;         // [m/s] from which it holds
+  constexpr double kMore = 6;          // [m] at a time
+  constexpr double kLongest = 20;      // [m]
+  constexpr double kNear = 25;         // [m] to the sensor: further off, places are too uncertain
+  constexpr int kSurely = 8;           // times
+  constexpr double kWidthKnown = 0.2;  // [m] sigma, below which a camera has told a truck from a car
   const double angle = look.odometry_from_sensor.heading + sighting.bearing;
   const Eigen::Vector2d sight(std::cos(angle), std::sin(angle));
   const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * sight;
@@ -184,14 +214,12 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
     const double length = track.length();
     if (along > -kAround - doubt && along < length + kAround + doubt) return true;
     const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
-                      std::abs(across) < track.width;
+                      std::abs(across) < track.width && track.width_sigma > kWidthKnown;
     const double beyond = along < 0 ? -along : along - length;
     if (!more || beyond > kMore || length + beyond > kLongest) continue;
     if (++track.longer < kSurely) return true;
     track.longer = 0;
-    track.seen_length = length + beyond;
-    // What was taken for its rear was not.
-    if (along < 0) track.state.mean.segment<2>(kTrackX) += along * ahead;
+    lengthen(track, along < 0);
     return true;
   }
   return false;
@@ -259,7 +287,10 @@ void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
     if (!known.confirmed || known.refused || !is_vehicle) continue;
     ObjectTrack track = known;
     const double seconds = to_seconds(time - *state_.time);
-    if (seconds > 0) predict(track, seconds, odometry_from_vehicle.position(), config_);
+    if (seconds > 0) {
+      predict(track, seconds, odometry_from_vehicle.position(), curvature_at(track, odometry_from_vehicle),
+              config_);
+    }
     objects.push_back(described(track, vehicle_from_odometry, config_));
   }
 }

@@ -69,6 +69,7 @@ class ObjectTracker {
   void forget_history();
   void process(const SightingSet& look);
   void predict_all(const SightingSet& look);
+  [[nodiscard]] double curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const;
   void associate(const SightingSet& look);
   [[nodiscard]] double cost(const ObjectTrack& track, const SightingSet& look,
                             const Sighting& sighting) const;
