@@ -43,6 +43,7 @@ struct ObjectTrack {
   bool has_moved = false;   ///< has been seen driving: what stands then is a vehicle that stopped
   bool refused = false;     ///< a mirror image, or nothing where a camera should see a vehicle
   bool superseded = false;  ///< an older track follows the same vehicle
+  Time born{};              ///< when it was seen first
   Time last_seen{};
   Time last_due{};  ///< the last look in which it should have been seen, or was
   Verification radar;

@@ -86,10 +86,12 @@ void ObjectTracker::predict_all(const SightingSet& look) {
   state_.time = look.measured_at;
   state_.barriers.look(look, seconds);
   if (seconds <= 0) return;
-  for (ObjectTrack& track : state_.tracks) {
+  const auto move_on = [&](ObjectTrack& track) {
     predict(track, seconds, look.odometry_from_vehicle.position(),
             curvature_at(track, look.odometry_from_vehicle), config_);
-  }
+  };
+  std::ranges::for_each(state_.tracks, move_on);
+  std::ranges::for_each(state_.lost.tracks(), move_on);
   state_.course = lane_changes_.course(look, config_, state_.tracks);
   lane_changes_.mark(look, seconds, state_.course, config_, state_.tracks);
 }
@@ -181,7 +183,7 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
     const Sighting& nearest = look.sightings[static_cast<std::size_t>(clusters_.members(c).front())];
     ObjectTrack track = start_track(look, nearest, config_, look.odometry_from_vehicle.heading);
     track.id = state_.next_id++;
-    track.last_seen = track.last_due = look.measured_at;
+    track.born = track.last_seen = track.last_due = look.measured_at;
     track.hits = 1;
     state_.tracks.push_back(track);
   }
@@ -227,7 +229,10 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
 
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
-    if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
+    if (!track.confirmed && track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) {
+      track.confirmed = true;
+      state_.lost.know_again(track, config_);
+    }
     if (track.confirmed && surely_drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }
@@ -269,13 +274,18 @@ void ObjectTracker::merge_doubles() {
 
 void ObjectTracker::forget(Time now) {
   constexpr double kGone = -2;  // log odds
-  std::erase_if(state_.tracks, [&](const ObjectTrack& track) {
+  const auto is_over = [&](const ObjectTrack& track) {
     const double unseen = to_seconds(now - track.last_seen);
     if (!track.confirmed) return track.odds < kGone || unseen > config_.tentative_coast_s;
     const bool due = track.last_due > track.last_seen;
     return (unseen > config_.coast_s && (due && track.odds < config_.confirm_odds)) ||
            unseen > config_.hidden_coast_s;
-  });
+  };
+  for (const ObjectTrack& track : state_.tracks) {
+    if (is_over(track)) state_.lost.add(track);
+  }
+  std::erase_if(state_.tracks, is_over);
+  state_.lost.forget(now, config_);
 }
 
 void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
@@ -299,6 +309,7 @@ void ObjectTracker::reset() {
   state_.time.reset();
   state_.next_id = 1;
   state_.tracks.clear();
+  state_.lost.clear();
   state_.barriers = {};
   state_.course = {};
   held_ = 0;

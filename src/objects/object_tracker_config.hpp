@@ -33,6 +33,8 @@ struct ObjectTrackerConfig {
   int confirm_hits = 4;             ///< and from so many looks in which it was seen
   double coast_s = 0.6;             ///< [s] a confirmed track lives on unseen where it should be seen
   double hidden_coast_s = 2.0;      ///< [s] the same hidden behind another, or in no sensor's field
+  double lost_s = 6;                ///< [s] for which what came to its end is remembered, to be known again
+  double same_again = 16;           ///< squared Mahalanobis distance of place and velocity within which it is
   double tentative_coast_s = 0.25;  ///< [s] before it is confirmed
   // What verifies it: log odds of each kind of sensor.
   double verified_odds = 6.5;  ///< verified from here

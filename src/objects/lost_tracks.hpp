@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "objects/object_track.hpp"
+#include "objects/object_tracker_config.hpp"
+
+namespace lanefuse {
+
+/// Vehicles whose tracks came to their end while others hid them, or where sensors see badly. Their places
+/// are carried on, so that a new track where one of them must be by now is known for the same vehicle.
+class LostTracks {
+ public:
+  /// Remembers the track, if it was one of a vehicle and not of something that came and went.
+  void add(const ObjectTrack& track);
+
+  [[nodiscard]] std::span<ObjectTrack> tracks() { return tracks_; }
+
+  /// Gives the new track the name of the lost one that it goes on from, and what was known of its body; not
+  /// what verified it: a false word would make a false witness.
+  void know_again(ObjectTrack& young, const ObjectTrackerConfig& config);
+
+  void forget(Time now, const ObjectTrackerConfig& config);
+  void clear() { tracks_.clear(); }
+
+ private:
+  std::vector<ObjectTrack> tracks_;
+};
+
+}  // namespace lanefuse
