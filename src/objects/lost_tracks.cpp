@@ -27,7 +27,9 @@ void LostTracks::add(const ObjectTrack& track) {
   if (track.confirmed && track.has_moved && track.hits >= kLeastHits) tracks_.push_back(track);
 }
 
-void LostTracks::know_again(ObjectTrack& young, const ObjectTrackerConfig& config) {
+void LostTracks::know_again(ObjectTrack& young, Time now, const ObjectTrackerConfig& config) {
+  constexpr double kYoung = 1.5;  // [s] after which it has made its own name
+  if (tracks_.empty() || to_seconds(now - young.born) > kYoung) return;
   constexpr double kOverlap = 0.5;  // [s] for which the old one may have clung to something else
   auto best = tracks_.end();
   double least = config.same_again;
@@ -40,6 +42,7 @@ void LostTracks::know_again(ObjectTrack& young, const ObjectTrackerConfig& confi
   }
   if (best == tracks_.end()) return;
   young.id = best->id;
+  young.born = best->born;
   young.has_moved = true;
   young.width = best->width;
   young.width_sigma = best->width_sigma;

@@ -21,7 +21,7 @@ class LostTracks {
 
   /// Gives the new track the name of the lost one that it goes on from, and what was known of its body; not
   /// what verified it: a false word would make a false witness.
-  void know_again(ObjectTrack& young, const ObjectTrackerConfig& config);
+  void know_again(ObjectTrack& young, Time now, const ObjectTrackerConfig& config);
 
   void forget(Time now, const ObjectTrackerConfig& config);
   void clear() { tracks_.clear(); }

@@ -55,10 +55,10 @@ TrackObservation observe_box(const ObjectTrack& track, const SightingSet& look, 
   const double middle = silhouette(track, look, length, track.width).middle;
   const double shifted = silhouette(track, look, length + kStep, track.width).middle;
   TrackObservation observation = observe_place(track, look, sighting, sighting.bearing - middle);
-  const double angle = look.odometry_from_sensor.heading + sighting.bearing;
-  observation.jacobian.block<2, 1>(0, kTrackLength) =
-      (shifted - middle) / kStep * sighting.range * left_of(direction(angle));
-  observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, kBody);
+  // Only a doubt: a camera's errors last too long to measure a length by.
+  const double length_sigma = std::sqrt(track.state.covariance(kTrackLength, kTrackLength));
+  const double doubt = std::hypot(kBody, (shifted - middle) / kStep * length_sigma * sighting.range);
+  observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, doubt);
   return observation;
 }
 

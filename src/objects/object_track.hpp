@@ -39,6 +39,7 @@ struct ObjectTrack {
   int longer = 0;            ///< reflections of late that say it is longer
   double odds = 0;           ///< log odds that it exists
   int hits = 0;              ///< looks in which it was seen
+  int run = 0;               ///< of those, since it was out of sight for a while
   bool confirmed = false;
   bool has_moved = false;   ///< has been seen driving: what stands then is a vehicle that stopped
   bool refused = false;     ///< a mirror image, or nothing where a camera should see a vehicle

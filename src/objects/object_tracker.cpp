@@ -16,6 +16,11 @@ namespace {
 /// Looks of one moment are taken in the order of their sensors, however they came.
 auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sensor_id); }
 
+/// [m] by which it may well be longer than supposed.
+double length_doubt(const ObjectTrack& track) {
+  return 1.5 * std::sqrt(track.state.covariance(kTrackLength, kTrackLength));
+}
+
 /// A truck that no camera has seen: where reflections lie behind what was taken for its rear, that was a part
 /// of its flank.
 void lengthen(ObjectTrack& track, bool backwards) {
@@ -113,6 +118,7 @@ void ObjectTracker::associate(const SightingSet& look) {
   costs_.clear();
   for (const Sighting& sighting : look.sightings) {
     for (const ObjectTrack& track : state_.tracks) costs_.push_back(cost(track, look, sighting));
+    if (look.kind == SightingKind::radar) leave_to_known(look, sighting);
   }
   // Staying alone costs more than the worst fit within the gates: it is the number of pairs that counts
   // first.
@@ -125,6 +131,23 @@ void ObjectTracker::associate(const SightingSet& look) {
     const auto row = costs_.begin() + static_cast<std::ptrdiff_t>(i * state_.tracks.size());
     const auto best = std::min_element(row, row + tracks);
     if (tracks > 0 && *best != Assignment::kForbidden) track_of_[i] = static_cast<int>(best - row);
+  }
+}
+
+/// A vehicle gives many reflections, and their bearings err: what a known track explains well must not feed a
+/// new one beside it. The sighting's costs are the last ones.
+void ObjectTracker::leave_to_known(const SightingSet& look, const Sighting& sighting) {
+  const auto& tracks = state_.tracks;
+  const auto explains = [&](const ObjectTrack& track) {
+    if (!track.confirmed || look.measured_at - track.last_seen > from_seconds(config_.gap_s)) return false;
+    const std::size_t index =
+        costs_.size() - tracks.size() + static_cast<std::size_t>(&track - tracks.data());
+    return costs_[index] != Assignment::kForbidden &&
+           misfit(track, observe(track, look, sighting, config_)).distance_squared < config_.sure_gate;
+  };
+  if (std::none_of(tracks.begin(), tracks.end(), explains)) return;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (!tracks[i].confirmed) costs_[costs_.size() - tracks.size() + i] = Assignment::kForbidden;
   }
 }
 
@@ -159,6 +182,7 @@ bool ObjectTracker::take(std::size_t index, const SightingSet& look) {
   Verification& verification = look.kind == SightingKind::radar ? track.radar : track.camera;
   verification.add(evidence, config_);
   verification.last = look.measured_at;
+  track.run = look.measured_at - track.last_seen > from_seconds(config_.gap_s) ? 1 : track.run + 1;
   track.last_seen = track.last_due = look.measured_at;
   ++track.hits;
   return true;
@@ -184,7 +208,7 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
     ObjectTrack track = start_track(look, nearest, config_, look.odometry_from_vehicle.heading);
     track.id = state_.next_id++;
     track.born = track.last_seen = track.last_due = look.measured_at;
-    track.hits = 1;
+    track.hits = track.run = 1;
     state_.tracks.push_back(track);
   }
 }
@@ -214,7 +238,7 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
         !sighting.range_rate || std::abs(speed - track.velocity().dot(sight)) < 2 * config_.same_range_rate;
     if (!as_fast || std::abs(across) > track.width / 2 + kAround + doubt) continue;
     const double length = track.length();
-    if (along > -kAround - doubt && along < length + kAround + doubt) return true;
+    if (along > -kAround - doubt && along < length + kAround + doubt + length_doubt(track)) return true;
     const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
                       std::abs(across) < track.width && track.width_sigma > kWidthKnown;
     const double beyond = along < 0 ? -along : along - length;
@@ -229,10 +253,8 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
 
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
-    if (!track.confirmed && track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) {
-      track.confirmed = true;
-      state_.lost.know_again(track, config_);
-    }
+    if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
+    if (track.confirmed) state_.lost.know_again(track, look.measured_at, config_);
     if (track.confirmed && surely_drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }

@@ -73,6 +73,7 @@ class ObjectTracker {
   [[nodiscard]] double curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const;
   void predict_all(const SightingSet& look);
   void associate(const SightingSet& look);
+  void leave_to_known(const SightingSet& look, const Sighting& sighting);
   [[nodiscard]] double cost(const ObjectTrack& track, const SightingSet& look,
                             const Sighting& sighting) const;
   bool take(std::size_t index, const SightingSet& look);

@@ -21,6 +21,7 @@ struct ObjectTrackerConfig {
   double ego_yaw_deg = 0.03;          ///< [deg/sqrt(s)] by which our own dead reckoning turns away
   // Which sighting belongs to which track.
   double gate = 14;              ///< squared Mahalanobis distance
+  double sure_gate = 6;          ///< the same, within which a reflection is no new vehicle's
   double same_along = 3;         ///< [m] reflections of one scan within these three are one vehicle
   double same_across = 1.4;      ///< [m]
   double same_range_rate = 1.2;  ///< [m/s]
@@ -39,6 +40,8 @@ struct ObjectTrackerConfig {
   // What verifies it: log odds of each kind of sensor.
   double verified_odds = 6.5;  ///< verified from here
   double refused_odds = -3;    ///< and no longer, below here: it should have been seen, and was not
+  double gap_s = 0.4;          ///< [s] out of sight, after which it may be another that comes back
+  int run_hits = 4;            ///< looks that see it then, before it is verified again
   // What it is.
   double min_speed = 3;        ///< [m/s] over ground: slower, it stands
   double change_speed = 0.45;  ///< [m/s] across the road, from which a vehicle changes lane
