@@ -19,9 +19,11 @@ class LostTracks {
 
   [[nodiscard]] std::span<ObjectTrack> tracks() { return tracks_; }
 
-  /// Gives the new track the name of the lost one that it goes on from, and what was known of its body; not
-  /// what verified it: a false word would make a false witness.
-  void know_again(ObjectTrack& young, Time now, const ObjectTrackerConfig& config);
+  /// Looks for the vehicle that this new track goes on from, among those lost and those of `tracks` that have
+  /// been out of sight for a while. Where there is one, the new track takes its name, and the old one is
+  /// superseded.
+  void know_again(ObjectTrack& young, Time now, std::span<ObjectTrack> tracks,
+                  const ObjectTrackerConfig& config);
 
   void forget(Time now, const ObjectTrackerConfig& config);
   void clear() { tracks_.clear(); }

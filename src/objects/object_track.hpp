@@ -41,6 +41,7 @@ struct ObjectTrack {
   int hits = 0;              ///< looks in which it was seen
   int run = 0;               ///< of those, since it was out of sight for a while
   bool confirmed = false;
+  Time confirmed_at{};
   bool has_moved = false;   ///< has been seen driving: what stands then is a vehicle that stopped
   bool refused = false;     ///< a mirror image, or nothing where a camera should see a vehicle
   bool superseded = false;  ///< an older track follows the same vehicle

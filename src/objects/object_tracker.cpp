@@ -253,8 +253,13 @@ bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& si
 
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
-    if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
-    if (track.confirmed) state_.lost.know_again(track, look.measured_at, config_);
+    if (!track.confirmed && track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) {
+      track.confirmed = true;
+      track.confirmed_at = look.measured_at;
+    }
+    if (track.confirmed && !track.superseded) {
+      state_.lost.know_again(track, look.measured_at, state_.tracks, config_);
+    }
     if (track.confirmed && surely_drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }
@@ -287,9 +292,14 @@ bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& veh
 void ObjectTracker::merge_doubles() {
   auto& tracks = state_.tracks;
   for (ObjectTrack& young : tracks) {
-    young.superseded = std::any_of(tracks.begin(), tracks.end(), [&](const ObjectTrack& old) {
-      return is_double(young, old, config_.same_along);
+    if (young.superseded) continue;
+    const auto old = std::find_if(tracks.begin(), tracks.end(), [&](const ObjectTrack& track) {
+      return !track.superseded && is_double(young, track, config_.same_along);
     });
+    if (old == tracks.end()) continue;
+    young.superseded = true;
+    // The name that was reported first stays.
+    if (young.confirmed && young.confirmed_at < old->confirmed_at) std::swap(young.id, old->id);
   }
   std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
 }

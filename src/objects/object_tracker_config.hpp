@@ -8,17 +8,17 @@ namespace lanefuse {
 /// numbers come from.
 struct ObjectTrackerConfig {
   // How vehicles move.
-  double acceleration_along = 1.1;    ///< [m/s^2/sqrt(Hz)] process noise along the motion
-  double acceleration_across = 0.45;  ///< [m/s^2/sqrt(Hz)] across it: cars hardly move sideways
-  double wander_sigma = 0.3;          ///< [m] of the reflecting point across the rear
-  double wander_tau = 1;              ///< [s] for which it stays where it is
-  double scatter = 0.25;              ///< [m] of single reflections about it, across
-  double flank_sigma = 0.25;          ///< [m] of reflections on a flank, across
-  double depth = 0.25;                ///< [m] of single reflections, along the vehicle
-  double start_sigma_across = 0.7;    ///< [m/s] of a new track's speed across our own heading
-  double start_sigma_along = 40;      ///< [m/s] along it
-  double misalignment_deg = 0.08;     ///< [deg] that all of a sensor's looks share
-  double ego_yaw_deg = 0.03;          ///< [deg/sqrt(s)] by which our own dead reckoning turns away
+  double acceleration_along = 1.1;   ///< [m/s^2/sqrt(Hz)] process noise along the motion
+  double acceleration_across = 0.3;  ///< [m/s^2/sqrt(Hz)] across it: cars hardly move sideways
+  double wander_sigma = 0.3;         ///< [m] of the reflecting point across the rear
+  double wander_tau = 1;             ///< [s] for which it stays where it is
+  double scatter = 0.25;             ///< [m] of single reflections about it, across
+  double flank_sigma = 0.25;         ///< [m] of reflections on a flank, across
+  double depth = 0.25;               ///< [m] of single reflections, along the vehicle
+  double start_sigma_across = 0.7;   ///< [m/s] of a new track's speed across our own heading
+  double start_sigma_along = 40;     ///< [m/s] along it
+  double misalignment_deg = 0.08;    ///< [deg] that all of a sensor's looks share
+  double ego_yaw_deg = 0.03;         ///< [deg/sqrt(s)] by which our own dead reckoning turns away
   // Which sighting belongs to which track.
   double gate = 14;              ///< squared Mahalanobis distance
   double sure_gate = 6;          ///< the same, within which a reflection is no new vehicle's
@@ -35,7 +35,7 @@ struct ObjectTrackerConfig {
   double coast_s = 0.6;             ///< [s] a confirmed track lives on unseen where it should be seen
   double hidden_coast_s = 2.0;      ///< [s] the same hidden behind another, or in no sensor's field
   double lost_s = 6;                ///< [s] for which what came to its end is remembered, to be known again
-  double same_again = 16;           ///< squared Mahalanobis distance of place and velocity within which it is
+  double same_again = 25;           ///< squared Mahalanobis distance of place and velocity within which it is
   double tentative_coast_s = 0.25;  ///< [s] before it is confirmed
   // What verifies it: log odds of each kind of sensor.
   double verified_odds = 6.5;  ///< verified from here

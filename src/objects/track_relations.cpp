@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
+#include "objects/track_shape.hpp"
+
 namespace lanefuse {
 
 bool surely_drives(const ObjectTrack& track, double min_speed) {
@@ -26,6 +30,26 @@ bool is_mirror_of(const ObjectTrack& ghost, const ObjectTrack& real, const Eigen
   if (std::abs((ghost.velocity() - real.velocity()).dot(ahead)) > kAsFast) return false;
   const double own = (own_position - real.position()).dot(left);
   return (across > 0 ? own : -own) < std::abs(across) / 2;
+}
+
+bool may_be_same(const ObjectTrack& young, const ObjectTrack& gone, double gate, double& distance_squared) {
+  constexpr double kAcross = 3.2;  // [m] beyond which it is on another lane, however uncertain both are
+  const Eigen::Vector4d apart = young.state.mean.head<4>() - gone.state.mean.head<4>();
+  const Eigen::Vector2d left(-std::sin(gone.heading), std::cos(gone.heading));
+  if (std::abs(apart.head<2>().dot(left)) > kAcross) return false;
+  const Eigen::Matrix4d doubt =
+      young.state.covariance.topLeftCorner<4, 4>() + gone.state.covariance.topLeftCorner<4, 4>();
+  distance_squared = apart.dot(doubt.llt().solve(apart));
+  return distance_squared < gate;
+}
+
+void take_name(ObjectTrack& young, const ObjectTrack& gone) {
+  young.id = gone.id;
+  young.born = gone.born;
+  young.has_moved = young.has_moved || gone.has_moved;
+  young.width = gone.width;
+  young.width_sigma = gone.width_sigma;
+  suppose_length(young, gone.length(), std::sqrt(gone.state.covariance(kTrackLength, kTrackLength)));
 }
 
 bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_along) {
