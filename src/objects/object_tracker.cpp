@@ -105,7 +105,8 @@ void ObjectTracker::predict_all(const SightingSet& look) {
 double ObjectTracker::curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const {
   constexpr double kOurWay = 0.5;  // [rad]
   constexpr double kReach = 200;   // [m]
-  if (track.speed() < config_.min_speed) return 0;
+  const bool seen = *state_.time - track.last_seen < from_seconds(config_.gap_s);
+  if (seen || track.speed() < config_.min_speed) return 0;
   const Pose2 vehicle_from_odometry = odometry_from_vehicle.inverse();
   if (std::abs(wrap_angle(track.heading + vehicle_from_odometry.heading)) > kOurWay) return 0;
   const double x = (vehicle_from_odometry * track.position()).x();
