@@ -6,36 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include "objects/known_body.hpp"
 #include "objects/track_relations.hpp"
 #include "objects/track_report.hpp"
-#include "objects/track_shape.hpp"
 
 namespace lanefuse {
 namespace {
 
 /// Looks of one moment are taken in the order of their sensors, however they came.
 auto key(const SightingSet& look) { return std::pair(look.measured_at, look.sensor_id); }
-
-/// [m] by which it may well be longer than supposed.
-double length_doubt(const ObjectTrack& track) {
-  return 1.5 * std::sqrt(track.state.covariance(kTrackLength, kTrackLength));
-}
-
-/// A truck that no camera has seen: where reflections lie behind what was taken for its rear, that was a part
-/// of its flank.
-void lengthen(ObjectTrack& track, bool backwards) {
-  const double more = kTruckLength - track.length();
-  if (more <= 0) return;
-  const Eigen::Vector2d rear = track.position();
-  suppose_length(track, kTruckLength, kTruckLengthSigma);
-  if (backwards) {
-    const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
-    track.state.mean.segment<2>(kTrackX) = rear - more * ahead;
-    track.state.covariance.block<2, 2>(kTrackX, kTrackX) +=
-        kTruckLengthSigma * kTruckLengthSigma * ahead * ahead.transpose();
-  }
-  track.width = 2.5;
-}
 
 }  // namespace
 
@@ -214,42 +193,10 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
   }
 }
 
-/// On the body of a confirmed track, as fast as it is. Nobody follows so near at such a speed: what is seen a
-/// little beyond its ends is more of the same vehicle.
 bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& sighting) {
-  constexpr double kAround = 1.2;      // [m] about the body
-  constexpr double kFast = 10;         // [m/s] from which it holds
-  constexpr double kMore = 6;          // [m] at a time
-  constexpr double kLongest = 20;      // [m]
-  constexpr double kNear = 25;         // [m] to the sensor: further off, places are too uncertain
-  constexpr int kSurely = 8;           // times
-  constexpr double kWidthKnown = 0.2;  // [m] sigma, below which a camera has told a truck from a car
-  const double angle = look.odometry_from_sensor.heading + sighting.bearing;
-  const Eigen::Vector2d sight(std::cos(angle), std::sin(angle));
-  const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * sight;
-  const double doubt = 2 * std::max(sighting.range_sigma, sighting.bearing_sigma * sighting.range);
-  for (ObjectTrack& track : state_.tracks) {
-    if (!track.confirmed) continue;
-    const Eigen::Vector2d from_rear = place - track.position();
-    const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
-    const double along = from_rear.dot(ahead);
-    const double across = ahead.x() * from_rear.y() - ahead.y() * from_rear.x();
-    const double speed = sighting.range_rate ? *sighting.range_rate + look.velocity.dot(sight) : 0;
-    const bool as_fast =
-        !sighting.range_rate || std::abs(speed - track.velocity().dot(sight)) < 2 * config_.same_range_rate;
-    if (!as_fast || std::abs(across) > track.width / 2 + kAround + doubt) continue;
-    const double length = track.length();
-    if (along > -kAround - doubt && along < length + kAround + doubt + length_doubt(track)) return true;
-    const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
-                      std::abs(across) < track.width && track.width_sigma > kWidthKnown;
-    const double beyond = along < 0 ? -along : along - length;
-    if (!more || beyond > kMore || length + beyond > kLongest) continue;
-    if (++track.longer < kSurely) return true;
-    track.longer = 0;
-    lengthen(track, along < 0);
-    return true;
-  }
-  return false;
+  return std::any_of(state_.tracks.begin(), state_.tracks.end(), [&](ObjectTrack& track) {
+    return track.confirmed && is_on_body(track, look, sighting, config_);
+  });
 }
 
 void ObjectTracker::judge(const SightingSet& look) {
@@ -265,7 +212,7 @@ void ObjectTracker::judge(const SightingSet& look) {
     track.refused = track.camera.odds < config_.refused_odds;
   }
   refuse_mirrors(look);
-  merge_doubles();
+  merge_doubles(state_.tracks, config_.same_along);
   forget(look.measured_at);
 }
 
@@ -288,21 +235,6 @@ bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& veh
   const RoadCourse::Estimate offset = state_.course.offset(vehicle_from_odometry * track.position());
   const double margin = kBeyond + 2 * offset.sigma;
   return offset.value > state_.barriers.left() + margin || offset.value < state_.barriers.right() - margin;
-}
-
-void ObjectTracker::merge_doubles() {
-  auto& tracks = state_.tracks;
-  for (ObjectTrack& young : tracks) {
-    if (young.superseded) continue;
-    const auto old = std::find_if(tracks.begin(), tracks.end(), [&](const ObjectTrack& track) {
-      return !track.superseded && is_double(young, track, config_.same_along);
-    });
-    if (old == tracks.end()) continue;
-    young.superseded = true;
-    // The name that was reported first stays.
-    if (young.confirmed && young.confirmed_at < old->confirmed_at) std::swap(young.id, old->id);
-  }
-  std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
 }
 
 void ObjectTracker::forget(Time now) {

@@ -83,7 +83,6 @@ class ObjectTracker {
   void judge(const SightingSet& look);
   void refuse_mirrors(const SightingSet& look);
   [[nodiscard]] bool is_beyond_barrier(const ObjectTrack& track, const Pose2& vehicle_from_odometry) const;
-  void merge_doubles();
   void forget(Time now);
 };
 

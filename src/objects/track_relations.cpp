@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "objects/track_relations.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -63,6 +65,20 @@ bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_alo
   const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
   return std::abs(across) < kAcross + doubt && along > -same_along - doubt && along < old.length() - 0.5 &&
          (young.velocity() - old.velocity()).norm() < kAsFast;
+}
+
+void merge_doubles(std::vector<ObjectTrack>& tracks, double same_along) {
+  for (ObjectTrack& young : tracks) {
+    if (young.superseded) continue;
+    const auto old = std::find_if(tracks.begin(), tracks.end(), [&](const ObjectTrack& track) {
+      return !track.superseded && is_double(young, track, same_along);
+    });
+    if (old == tracks.end()) continue;
+    young.superseded = true;
+    // The name that was reported first stays.
+    if (young.confirmed && young.confirmed_at < old->confirmed_at) std::swap(young.id, old->id);
+  }
+  std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
 }
 
 }  // namespace lanefuse

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "objects/object_track.hpp"
@@ -26,5 +28,9 @@ void take_name(ObjectTrack& young, const ObjectTrack& gone);
 
 /// Two tracks of one vehicle, of which the older one stays. `same_along` [m] apart they may be.
 bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_along);
+
+/// Drops what is superseded, and of two tracks of one vehicle the younger one; the name that was reported
+/// first stays.
+void merge_doubles(std::vector<ObjectTrack>& tracks, double same_along);
 
 }  // namespace lanefuse
