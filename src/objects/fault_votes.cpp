@@ -82,6 +82,8 @@ void vote_on_standing_mirror(const SightingSet& look, FaultVotes& votes) {
     const double expected = standing_rate(look, sighting.bearing);
     const double elsewhere = standing_rate(look, -sighting.bearing);
     if (!sighting.range_rate || std::abs(expected - elsewhere) < kApart) continue;
+    // Whatever keeps pace with us looks like a thing abeam.
+    if (std::abs(expected) < kApart || std::abs(elsewhere) < kApart) continue;
     if (std::abs(*sighting.range_rate - expected) < kStands) ++as_said;
     if (std::abs(*sighting.range_rate - elsewhere) < kStands) ++mirrored;
   }
