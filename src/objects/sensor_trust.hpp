@@ -35,9 +35,9 @@ struct SensorTrustConfig {
   double recover_s = 2;    ///< [s] for which a distrusted sensor must be sound again
   int repeats = 2;         ///< of a look with several sightings: frozen
   int repeats_single = 3;  ///< of a look with one: coarse radars repeat a steady leader now and then
-  double proof_memory_s = 4;  ///< [s] over which is forgotten what standing things and pairs of bearings tell
+  double proof_memory_s = 6;  ///< [s] over which is forgotten what standing things and pairs of bearings tell
   double proof = 12;          ///< votes of standing things before they prove on which side they are
-  double pairs = 20;          ///< that must agree before a sensor is said to be turned
+  double pairs = 14;          ///< that must agree before a sensor is said to be turned
   double turned_deg = 4;      ///< [deg] off before a sensor is said to be turned
   double blind_s = 2;         ///< [s] with vehicles and without a word before a sensor is said to be blind
 };

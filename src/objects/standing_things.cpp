@@ -17,7 +17,7 @@ constexpr double kNearest = 8;      ///< [m]: nearer, it matters where on the th
 constexpr double kWander = 0.3;     ///< [m] of a reflection on its thing
 constexpr double kRangeGate = 1;    ///< [m] about where it should be
 constexpr double kMostTurn = 12;    ///< [deg] of the mounting that is looked for
-constexpr double kShortest = 0.3;   ///< [s] between two looks that are compared
+constexpr double kShortest = 0.6;   ///< [s] between two looks that are compared
 constexpr double kLongest = 2;      ///< [s] for which a thing is remembered
 constexpr std::size_t kMostThings = 64;
 
