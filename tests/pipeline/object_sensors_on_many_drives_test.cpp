@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/broken_detections.hpp"
+#include "pipeline/damaged_stream.hpp"
 
 /// Which sensor is named on drives that no setting was tried on.
 namespace lanefuse {
@@ -22,6 +23,7 @@ using testing::flagged_after;
 using testing::image_width;
 using testing::mirror;
 using testing::run;
+using testing::seconds_of;
 using testing::SimulatedDrive;
 
 /// [s] For which each sensor was named.
@@ -111,6 +113,36 @@ TEST_P(FaultsOnOtherDrives, AreFlaggedInTimeWhateverTheUnits) {
       EXPECT_LT(flagged_after(cycles), limit) << name << ", " << sensor;
       expect_blamed(cycles, sensor);
     }
+  }
+}
+
+/// The whole car's clock: lanes are invalid from the second cycle on, and valid ten cycles after the first
+/// stamp of the new clock.
+TEST_P(FaultsOnOtherDrives, EndTenCyclesAfterTheClockIsSet) {
+  constexpr double kSet = 5;
+  constexpr double kCycle = 0.08;
+  const SimulatedDrive drive = detected_drive(GetParam());
+  for (const double jump : {-86400.0, -5.0, -0.5, 0.5, 5.0, 86400.0}) {
+    std::vector<Measurement> stream = drive.measurements;
+    for (Measurement& measurement : stream) {
+      Stamp& stamp = testing::stamp_in(measurement);
+      if (seconds_of(stamp.received_at) < kSet) continue;
+      stamp.measured_at += from_seconds(jump);
+      stamp.received_at += from_seconds(jump);
+    }
+    const auto cycles = run(drive.rig, stream);
+    const auto flagged = std::ranges::find_if(cycles, [&](const CycleResult& cycle) {
+      const double seconds = seconds_of(cycle.lanes.time);
+      return (seconds > 4 || std::abs(jump) > 4) && cycle.lanes.status == EstimateStatus::invalid &&
+             &cycle - cycles.data() > 40;
+    });
+    ASSERT_NE(flagged, cycles.end()) << jump;
+    EXPECT_LT(seconds_of((flagged - 1)->lanes.time), kSet + kCycle) << jump;
+    const auto valid = std::find_if(flagged, cycles.end(), [](const CycleResult& cycle) {
+      return cycle.lanes.status == EstimateStatus::ok && !cycle.lanes.lanes.empty();
+    });
+    ASSERT_NE(valid, cycles.end()) << jump;
+    EXPECT_LT(seconds_of(valid->lanes.time), kSet + jump + 10 * kCycle + 0.001) << jump;
   }
 }
 
