@@ -34,7 +34,6 @@ Eigen::Vector2d seen_now(const Pose2& now_from_then, double range, double bearin
 
 /// What the two readings of one thing's first bearing make of it now.
 struct Readings {
-  double range = 0;      ///< [m]
   double as_said = 0;    ///< [rad]
   double mirrored = 0;   ///< [rad] as the sensor would say it
   double spreading = 0;  ///< [rad/rad] by how much bearings change for each that they began with
@@ -46,7 +45,7 @@ Readings readings(const Pose2& now_from_then, const Sighting& then) {
   const Eigen::Vector2d place = at(then.bearing);
   const double spread =
       wrap_angle(bearing_of(at(then.bearing + kStep)) - bearing_of(at(then.bearing - kStep))) / (2 * kStep);
-  return {place.norm(), bearing_of(place), -bearing_of(at(-then.bearing)), spread};
+  return {bearing_of(place), -bearing_of(at(-then.bearing)), spread};
 }
 
 }  // namespace
@@ -71,11 +70,12 @@ void StandingThings::follow(const SightingSet& look, const Sighting& sighting) {
   int candidates = 0;
   for (Thing& thing : things_) {
     const Pose2 now_from_then = look.odometry_from_sensor.inverse() * thing.odometry_from_sensor;
+    const double range = seen_now(now_from_then, thing.sighting.range, thing.sighting.bearing).norm();
+    if (std::abs(sighting.range - range) > kRangeGate) continue;
     const Readings read = readings(now_from_then, thing.sighting);
     const double middle = read.as_said + wrap_angle(read.mirrored - read.as_said) / 2;
     const double gate = std::abs(wrap_angle(read.mirrored - read.as_said)) / 2 + 4 * sighting.bearing_sigma +
                         kWander / sighting.range + std::abs(1 - read.spreading) * kMostTurn * kDegree;
-    if (std::abs(sighting.range - read.range) > kRangeGate) continue;
     if (std::abs(wrap_angle(sighting.bearing - middle)) > gate) continue;
     ++candidates;
     known = &thing;

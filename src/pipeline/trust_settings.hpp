@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "objects/sensor_trust.hpp"
 #include "pipeline/settings_section.hpp"
+#include "sources/object_source.hpp"
 
 namespace lanefuse {
 
