@@ -50,12 +50,16 @@ void add_run(CommandLine& line) {
 
 void add_plot(CommandLine& line) {
   auto& options = line.make<PlotOptions>();
-  CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above");
+  CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above, or all tracks over time");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command.add_option("--at", options.at, "seconds since the first cycle")
-      ->capture_default_str()
-      ->check(not_negative);
-  command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
+  CLI::Option* at = command.add_option("--at", options.at, "seconds since the first cycle")
+                        ->capture_default_str()
+                        ->check(not_negative);
+  CLI::Option* drive = command.add_option("--drive", options.drive,
+                                          "the drive with the truth, if it is not where run found it");
+  command.add_flag("--tracks", options.tracks, "draw the tracked vehicles of the whole drive over time")
+      ->excludes(at)
+      ->excludes(drive);
   command.add_option("-o,--output", options.output, "the picture to write (.svg)")->required();
   finish(command, line, options, plot);
 }

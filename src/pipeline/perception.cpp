@@ -219,7 +219,9 @@ void MultiLanePerception::run_sources(Time now) {
 void MultiLanePerception::take(const Measurement& measurement, const SourceContext& context) {
   if (std::holds_alternative<VehicleMotion>(measurement)) return;
   const Time newest = context.motion.empty() ? stamp_of(measurement).measured_at : context.motion.back().time;
-  if (newest - stamp_of(measurement).measured_at > from_seconds(config_.reorder_window_s)) {
+  // What has waited here for its cycle is not late for that.
+  const Time until = std::min(newest, stamp_of(measurement).received_at);
+  if (until - stamp_of(measurement).measured_at > from_seconds(config_.reorder_window_s)) {
     inputs_.dropped += item_count(measurement);
     return;
   }

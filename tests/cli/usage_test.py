@@ -66,6 +66,7 @@ class WrongUse(program.ProgramTest):
         self.refuse(2, "plot", "lanes.mcap", "--at", -1, "-o", "x.svg", naming="--at")
         self.refuse(2, "plot", "lanes.mcap", "--at", "nan", "-o", "x.svg", naming="--at")
         self.refuse(2, "plot", "lanes.mcap", "--at", 1e6, "-o", "x.svg", naming="--at")
+        self.refuse(2, "plot", "lanes.mcap", "--at", 1, "--tracks", "-o", "x.svg", naming="--tracks")
         self.refuse(2, "evaluate", "lanes.mcap", "--truth", "guess", naming="--truth")
         self.refuse(2, "graph", "solve", "x.g2o", "--max-iterations", -1, naming="--max-iterations")
         self.refuse(2, "graph", "solve", "x.g2o", "--switch-prior", 0, naming="--switch-prior")
