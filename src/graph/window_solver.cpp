@@ -13,6 +13,7 @@ namespace lanefuse {
 namespace {
 
 constexpr double kLeastDeterminantShare = 1e-13;
+constexpr double kRoundingShare = 1e-12;  ///< of the farthest coordinate
 
 void set_zero(Quads& v, std::size_t size) { v.assign(size, Quad{}); }
 
@@ -26,10 +27,12 @@ void add_scaled(std::span<Quad> sum, double scale, std::span<const Quad> term) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * term[i];
 }
 
-/// xx, xy, yy, heading of the inverse, or false.
+/// xx, xy, yy, heading of the inverse, or false. What is undetermined does not depend on the axes, of which
+/// one may by chance stand along what is told: hence beside the larger of the two.
 bool invert(const Quad& m, Quad& inverse) {
   const double determinant = m[0] * m[2] - m[1] * m[1];
-  if (!(determinant > kLeastDeterminantShare * m[0] * m[2] && m[0] > 0 && m[3] > 0)) return false;
+  const double larger = std::max(m[0], m[2]);
+  if (!(determinant > kLeastDeterminantShare * larger * larger && larger > 0 && m[3] > 0)) return false;
   inverse = Quad{m[2] / determinant, -m[1] / determinant, m[0] / determinant, 1 / m[3]};
   return true;
 }
@@ -61,6 +64,7 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     const Step step = find_step(graph, config, result);
     if (step == Step::singular) {
       result.status = SolveStatus::singular;
+      result.final_chi2 = result.initial_chi2;
       return result;
     }
     if (step == Step::struggled) return fall_back(graph, config, result, SolveFallback::cg_struggled);
@@ -72,7 +76,8 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     const bool last = result.iterations == config.max_iterations;
     cost_here = last ? cost(graph, config.switch_form) : linearize(graph, config.switch_form);
     const double gain = result.final_chi2 - cost_here;
-    const bool settled = std::abs(gain) <= config.relative_tolerance * result.final_chi2;
+    const bool settled =
+        std::abs(gain) <= config.relative_tolerance * result.final_chi2 || step_is_negligible();
     if (!(gain >= 0)) {
       system_.places.swap(best_places_);
       system_.landmarks.swap(best_landmarks_);
@@ -236,6 +241,20 @@ void ConjugateGradientSolver::take_step(const WindowGraph& graph) {
     system_.landmarks[r][2] = wrap_angle(system_.landmarks[r][2]);
   }
   place_turns(graph);
+}
+
+/// Whether the step is down in the rounding of the places themselves: then the cost says nothing about it.
+bool ConjugateGradientSolver::step_is_negligible() const {
+  double farthest = 1;
+  for (const Quads* places : {&system_.places, &system_.landmarks}) {
+    for (const Quad& p : *places) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
+  }
+  const double bound = kRoundingShare * farthest;
+  const auto is_small = [&](const Quad& step) {
+    return std::abs(step[0]) <= bound && std::abs(step[1]) <= bound && std::abs(step[2]) <= bound;
+  };
+  return std::all_of(step_.begin(), step_.end(), is_small) &&
+         std::all_of(landmark_step_.begin(), landmark_step_.end(), is_small);
 }
 
 void ConjugateGradientSolver::write_back(WindowGraph& graph) const {

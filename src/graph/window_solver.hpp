@@ -47,6 +47,7 @@ class ConjugateGradientSolver final : public WindowSolver {
   void multiply(const WindowGraph& graph, std::span<const Quad> p, std::span<Quad> product);
   void take_step(const WindowGraph& graph);
   void place_turns(const WindowGraph& graph);
+  [[nodiscard]] bool step_is_negligible() const;
   void write_back(WindowGraph& graph) const;
   SolveResult fall_back(WindowGraph& graph, const SolverConfig& config, SolveResult result,
                         SolveFallback reason);

@@ -42,9 +42,12 @@ std::string kind_of(const EdgeOrigin& origin) {
 void add_edges(const WindowView& window, GraphView& view) {
   for (const EdgeKind kind :
        {EdgeKind::odometry, EdgeKind::width, EdgeKind::smoothing, EdgeKind::measurement}) {
-    for (const std::size_t i : window.edges_of(kind)) {
-      const Edge& edge = window.edge(i);
-      view.edges.push_back({edge.from, edge.to, kind_of(window.origin(i)), false});
+    for (const Source source : {Source::serial_camera, Source::objects, Source::high_resolution_camera}) {
+      for (const std::size_t i : window.edges_of(kind)) {
+        if (window.origin(i).source != source) continue;
+        const Edge& edge = window.edge(i);
+        view.edges.push_back({edge.from, edge.to, kind_of(window.origin(i)), false});
+      }
     }
   }
 }
