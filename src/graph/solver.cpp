@@ -32,8 +32,6 @@ const char* to_string(SolveFallback fallback) {
       return "cg_struggled";
     case SolveFallback::negative_curvature:
       return "negative_curvature";
-    case SolveFallback::uphill:
-      return "uphill";
   }
   return "unknown";
 }

@@ -15,7 +15,7 @@ struct SolverConfig {
   SwitchForm switch_form = SwitchForm::linear;
   /// Conjugate gradients stop when the residual is this small a share of the first, in the norm of the
   /// preconditioner; in (0, 1).
-  double cg_tolerance = 1e-2;
+  double cg_tolerance = 0.03;
   int max_cg_iterations = 30;  ///< a step; where they do not do, the direct solver takes over
 };
 
@@ -36,7 +36,6 @@ enum class SolveFallback : std::uint8_t {
   not_a_window = 1,        ///< the graph is no chain of poses that see landmarks
   cg_struggled = 2,        ///< too many iterations
   negative_curvature = 3,  ///< rounding has made the equations indefinite
-  uphill = 4,              ///< a full step raised the cost
 };
 const char* to_string(SolveFallback fallback);
 
@@ -46,6 +45,7 @@ struct SolveResult {
   double initial_chi2 = 0;  ///< J(V) at the start, with each switch at its best for it
   double final_chi2 = 0;    ///< J(V) as it was left; never above initial_chi2
   int cg_iterations = 0;    ///< products with the Schur complement, over all steps
+  int halvings = 0;  ///< of steps whose end lay higher than their beginning (conjugate gradients)
   SolveFallback fallback = SolveFallback::none;
   [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
 };

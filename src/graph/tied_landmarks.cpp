@@ -169,16 +169,30 @@ bool TiedLandmarks::factorise() {
   for (std::uint32_t k = 0; k < nodes; ++k) {
     if (!is_determined(diagonal_[k], scale_[k])) return false;
     inverse_[k] = diagonal_[k].inverse();
-    for (std::uint32_t i = begin_[k]; i < begin_[k + 1]; ++i) {
-      const Eigen::Matrix3d own = off_diagonal_[i];
-      off_diagonal_[i] = inverse_[k] * own;
-      // Rows before i are done: their blocks hold D_k^-1 D(k, j) already.
-      for (std::uint32_t j = begin_[k]; j < i; ++j)
-        off_diagonal_[find_block(rows_[j], rows_[i])] -= off_diagonal_[j].transpose() * own;
-      diagonal_[rows_[i]] -= own.transpose() * off_diagonal_[i];
-    }
+    eliminate(k);
   }
   return true;
+}
+
+/// Takes node k out of the later ones it is tied to. Its rows are among those of its first row, and so on:
+/// one walk down each of their columns finds the blocks.
+void TiedLandmarks::eliminate(std::uint32_t k) {
+  const std::uint32_t begin = begin_[k];
+  const std::uint32_t end = begin_[k + 1];
+  eliminated_.resize(std::max<std::size_t>(eliminated_.size(), end - begin));
+  for (std::uint32_t i = begin; i < end; ++i)
+    eliminated_[i - begin].noalias() = inverse_[k] * off_diagonal_[i];
+  for (std::uint32_t j = begin; j < end; ++j) {
+    const Eigen::Matrix3d own = off_diagonal_[j].transpose();
+    const std::uint32_t column = rows_[j];
+    diagonal_[column].noalias() -= own * eliminated_[j - begin];
+    std::uint32_t at = begin_[column];
+    for (std::uint32_t i = j + 1; i < end; ++i, ++at) {
+      while (rows_[at] != rows_[i]) ++at;
+      off_diagonal_[at].noalias() -= own * eliminated_[i - begin];
+    }
+  }
+  for (std::uint32_t i = begin; i < end; ++i) off_diagonal_[i] = eliminated_[i - begin];
 }
 
 void TiedLandmarks::solve(std::span<Quad> by_landmark) const {

@@ -50,6 +50,7 @@ class TiedLandmarks {
   struct TieError;
   [[nodiscard]] TieError error(const WindowGraph& graph, const Active& active, SwitchForm form,
                                const WindowSystem& system) const;
+  void eliminate(std::uint32_t k);
   void order(const WindowGraph& graph, WindowSystem& system);
   void find_pattern(const WindowGraph& graph);
   void find_ties(const WindowGraph& graph);
@@ -69,6 +70,7 @@ class TiedLandmarks {
   std::vector<Eigen::Matrix3d> diagonal_, inverse_;
   std::vector<Eigen::Vector3d> scale_;         ///< D's diagonal before elimination
   std::vector<Eigen::Matrix3d> off_diagonal_;  ///< D(k, i), after factorise() D_k^-1 D(k, i)
+  std::vector<Eigen::Matrix3d> eliminated_;    ///< scratch: the same of one column
 };
 
 }  // namespace lanefuse

@@ -13,7 +13,14 @@ namespace lanefuse {
 namespace {
 
 constexpr double kLeastDeterminantShare = 1e-13;
-constexpr double kRoundingShare = 1e-12;  ///< of the farthest coordinate
+
+/// Two costs as near as this to each other are the same but for rounding.
+constexpr double kRounding = 1e-13;
+
+/// A step that is this small a share of the farthest coordinate is down in the coordinates' rounding.
+constexpr double kStepRounding = 1e-12;
+
+constexpr int kMaxHalvings = 12;
 
 void set_zero(Quads& v, std::size_t size) { v.assign(size, Quad{}); }
 
@@ -52,9 +59,8 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     result.status = SolveStatus::no_fixed_vertex;
     return result;
   }
-  double cost_here = linearize(graph, config.switch_form);
-  result.initial_chi2 = result.final_chi2 = cost_here;
-  if (!std::isfinite(cost_here)) {
+  result.initial_chi2 = result.final_chi2 = linearize(graph, config.switch_form);
+  if (!std::isfinite(result.final_chi2)) {
     result.status = SolveStatus::not_finite;
     return result;
   }
@@ -70,29 +76,40 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     if (step == Step::struggled) return fall_back(graph, config, result, SolveFallback::cg_struggled);
     if (step == Step::negative_curvature)
       return fall_back(graph, config, result, SolveFallback::negative_curvature);
-    best_places_ = system_.places;
-    best_landmarks_ = system_.landmarks;
-    take_step(graph);
     const bool last = result.iterations == config.max_iterations;
-    cost_here = last ? cost(graph, config.switch_form) : linearize(graph, config.switch_form);
-    const double gain = result.final_chi2 - cost_here;
-    const bool settled =
-        std::abs(gain) <= config.relative_tolerance * result.final_chi2 || step_is_negligible();
-    if (!(gain >= 0)) {
-      system_.places.swap(best_places_);
-      system_.landmarks.swap(best_landmarks_);
-      if (!settled) return fall_back(graph, config, result, SolveFallback::uphill);
-      cost(graph, config.switch_form);  // for the switches
-    } else {
-      result.final_chi2 = cost_here;
-    }
-    if (settled) {
+    if (!descend(graph, config, last, result)) {
       result.status = SolveStatus::converged;
       break;
     }
   }
   write_back(graph);
   return result;
+}
+
+/// Goes the found step, or as much of it as leads down; false if nothing worth going is left. The full step
+/// is right where the window starts from the last cycle's solution; from further away its end may lie higher.
+bool ConjugateGradientSolver::descend(const WindowGraph& graph, const SolverConfig& config, bool last,
+                                      SolveResult& result) {
+  best_places_ = system_.places;
+  best_landmarks_ = system_.landmarks;
+  const double enough = std::max(config.relative_tolerance, kRounding) * result.final_chi2;
+  double share = 1;
+  for (int halvings = 0; halvings < kMaxHalvings; ++halvings, share /= 2) {
+    take_step(graph, share);
+    const double here = last ? cost(graph, config.switch_form) : linearize(graph, config.switch_form);
+    if (here <= result.final_chi2) {
+      const bool goes_on = result.final_chi2 - here > enough;
+      result.final_chi2 = here;
+      return goes_on;
+    }
+    if (here - result.final_chi2 <= enough || step_is_negligible()) break;
+    ++result.halvings;
+  }
+  system_.places = best_places_;
+  system_.landmarks = best_landmarks_;
+  place_turns(graph);
+  cost(graph, config.switch_form);  // the switches belong to these places
+  return false;
 }
 
 bool ConjugateGradientSolver::prepare(const WindowGraph& graph) {
@@ -231,25 +248,25 @@ void ConjugateGradientSolver::multiply(const WindowGraph& graph, std::span<const
   chain_.add_product(graph, p, product);
 }
 
-void ConjugateGradientSolver::take_step(const WindowGraph& graph) {
+void ConjugateGradientSolver::take_step(const WindowGraph& graph, double share) {
   for (const WindowGraph::Id id : graph.chain()) {
-    system_.places[id] += step_[id];
+    system_.places[id] = best_places_[id] + share * step_[id];
     system_.places[id][2] = wrap_angle(system_.places[id][2]);
   }
   for (std::size_t r = 0; r < system_.runs.size(); ++r) {
-    system_.landmarks[r] += landmark_step_[r];
+    system_.landmarks[r] = best_landmarks_[r] + share * landmark_step_[r];
     system_.landmarks[r][2] = wrap_angle(system_.landmarks[r][2]);
   }
   place_turns(graph);
 }
 
-/// Whether the step is down in the rounding of the places themselves: then the cost says nothing about it.
+/// Whether the cost says nothing about the step: where all fits to the last bit, it is rounding itself.
 bool ConjugateGradientSolver::step_is_negligible() const {
   double farthest = 1;
-  for (const Quads* places : {&system_.places, &system_.landmarks}) {
+  for (const Quads* places : {&best_places_, &best_landmarks_}) {
     for (const Quad& p : *places) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
   }
-  const double bound = kRoundingShare * farthest;
+  const double bound = kStepRounding * farthest;
   const auto is_small = [&](const Quad& step) {
     return std::abs(step[0]) <= bound && std::abs(step[1]) <= bound && std::abs(step[2]) <= bound;
   };

@@ -45,7 +45,8 @@ class ConjugateGradientSolver final : public WindowSolver {
   Step find_step(const WindowGraph& graph, const SolverConfig& config, SolveResult& result);
   void reduce(std::span<Quad> rhs);
   void multiply(const WindowGraph& graph, std::span<const Quad> p, std::span<Quad> product);
-  void take_step(const WindowGraph& graph);
+  bool descend(const WindowGraph& graph, const SolverConfig& config, bool last, SolveResult& result);
+  void take_step(const WindowGraph& graph, double share);
   void place_turns(const WindowGraph& graph);
   [[nodiscard]] bool step_is_negligible() const;
   void write_back(WindowGraph& graph) const;

@@ -48,7 +48,7 @@ std::optional<Eigen::Vector3d> BaseClothoidFit::solve(std::span<const Feature> f
     if (roles_[i] != FitRole::inlier) continue;
     const Eigen::Vector3d row = slope_row(features[i].x);
     normal_ += features[i].confidence * row * row.transpose();
-    right += features[i].confidence * std::tan(features[i].heading) * row;
+    right += features[i].confidence * tangents_[i] * row;
     ++count;
   }
   if (count < config_.min_features) return std::nullopt;
@@ -59,12 +59,12 @@ bool BaseClothoidFit::cut_outliers(std::span<const Feature> features, const Eige
   residuals_.clear();
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (roles_[i] == FitRole::unused) continue;
-    residuals_.push_back(std::abs(std::tan(features[i].heading) - slope_row(features[i].x).dot(shape)));
+    residuals_.push_back(std::abs(tangents_[i] - slope_row(features[i].x).dot(shape)));
   }
   const auto middle = residuals_.begin() + static_cast<std::ptrdiff_t>(residuals_.size() / 2);
-  std::vector<double> sorted = residuals_;
-  const auto median = sorted.begin() + (middle - residuals_.begin());
-  std::nth_element(sorted.begin(), median, sorted.end());
+  sorted_ = residuals_;
+  const auto median = sorted_.begin() + (middle - residuals_.begin());
+  std::nth_element(sorted_.begin(), median, sorted_.end());
   const double cut = std::max(config_.outlier_cut * kMadToSigma * *median, kSlopeFloor);
   bool changed = false;
   std::size_t r = 0;
@@ -81,8 +81,11 @@ std::optional<BaseClothoid> BaseClothoidFit::fit(std::span<const Feature> featur
   const double sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
   scatter_ = config_.correlation * sigma * sigma;
   roles_.assign(features.size(), FitRole::unused);
+  tangents_.resize(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {
-    if (considered(features[i])) roles_[i] = FitRole::inlier;
+    if (!considered(features[i])) continue;
+    roles_[i] = FitRole::inlier;
+    tangents_[i] = std::tan(features[i].heading);
   }
   std::optional<Eigen::Vector3d> shape = solve(features);
   for (int i = 0; i < config_.max_iterations; ++i) {
@@ -106,7 +109,7 @@ double BaseClothoidFit::scatter(std::span<const Feature> features, const Eigen::
   double correlation = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (roles_[i] != FitRole::inlier) continue;
-    const double residual = std::tan(features[i].heading) - slope_row(features[i].x).dot(shape);
+    const double residual = tangents_[i] - slope_row(features[i].x).dot(shape);
     sum += features[i].confidence * residual * residual;
     ++count;
     const bool tracked = features[i].track_id != kNoTrack;
@@ -122,37 +125,39 @@ std::optional<BaseClothoid> BaseClothoidFit::refine(std::span<const Feature> fea
   const double heading_sigma = config_.heading_sigma_deg * std::numbers::pi / 180;
   // In units of one heading: a position counts (heading sigma / position sigma)^2.
   const double position_weight = std::pow(heading_sigma / config_.position_sigma, 2);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3 + groups, 3 + groups);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(3 + groups);
-  normal.topLeftCorner<3, 3>() = prior_weights().asDiagonal();
+  Eigen::Matrix3d normal = prior_weights().asDiagonal();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  offsets_.assign(static_cast<std::size_t>(groups), OffsetTerms{});
   std::size_t count = 0;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (roles_[i] == FitRole::unused) continue;
     const Feature& feature = features[i];
     if (roles_[i] == FitRole::inlier) {
       const Eigen::Vector3d row = slope_row(feature.x);
-      normal.topLeftCorner<3, 3>() += feature.confidence * row * row.transpose();
-      right.head<3>() += feature.confidence * std::tan(feature.heading) * row;
+      normal += feature.confidence * row * row.transpose();
+      right += feature.confidence * tangents_[i] * row;
     }
     if (group[i] < 0) continue;
     const Eigen::Vector3d row = position_row(feature.x);
     const double weight = feature.confidence * position_weight;
-    const int g = 3 + group[i];
-    normal.topLeftCorner<3, 3>() += weight * row * row.transpose();
-    normal.block<3, 1>(0, g) += weight * row;
-    normal.block<1, 3>(g, 0) += weight * row.transpose();
-    normal(g, g) += weight;
-    right.head<3>() += weight * feature.y * row;
-    right(g) += weight * feature.y;
+    OffsetTerms& offset = offsets_[static_cast<std::size_t>(group[i])];
+    normal += weight * row * row.transpose();
+    right += weight * feature.y * row;
+    offset.course += weight * row;
+    offset.weight += weight;
+    offset.right += weight * feature.y;
     ++count;
   }
   if (count < config_.min_features) return std::nullopt;
-  normal.diagonal().tail(groups).array() += 1e-9;
-  const Eigen::LDLT<Eigen::MatrixXd> factor(normal);
-  const Eigen::VectorXd solution = factor.solve(right);
-  const Eigen::MatrixXd covariance = factor.solve(Eigen::MatrixXd::Identity(3 + groups, 3));
-  const Eigen::Vector3d shape = solution.head<3>();
-  return BaseClothoid{shaped(shape), scatter(features, shape) * covariance.topRows<3>()};
+  // No two offsets share a term, so each is eliminated by itself.
+  for (const OffsetTerms& offset : offsets_) {
+    const double weight = offset.weight + 1e-9;
+    normal -= offset.course * offset.course.transpose() / weight;
+    right -= offset.course * (offset.right / weight);
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> factor(normal);
+  const Eigen::Vector3d shape = factor.solve(right);
+  return BaseClothoid{shaped(shape), scatter(features, shape) * factor.solve(Eigen::Matrix3d::Identity())};
 }
 
 }  // namespace lanefuse

@@ -53,8 +53,17 @@ class BaseClothoidFit {
 
   const BaseClothoidConfig& config_;
   std::vector<FitRole> roles_;
+  std::vector<double> tangents_;  ///< of the headings of the features considered
+  /// What ties a boundary's offset to the course in the joint fit.
+  struct OffsetTerms {
+    Eigen::Vector3d course = Eigen::Vector3d::Zero();
+    double weight = 0;
+    double right = 0;
+  };
   std::vector<double> residuals_;
-  double scatter_ = 0;  ///< of the current fit; weighs the data against the prior
+  std::vector<double> sorted_;        ///< scratch
+  std::vector<OffsetTerms> offsets_;  ///< scratch: by group
+  double scatter_ = 0;                ///< of the current fit; weighs the data against the prior
   Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();
 };
 

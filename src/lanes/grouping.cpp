@@ -37,8 +37,8 @@ void Grouping::assign(std::span<const Feature> features, std::span<const FitRole
   }
 }
 
-std::vector<double> Grouping::new_offsets(std::span<const Feature> features, const Clothoid& base,
-                                          std::span<const double> offsets) {
+std::span<const double> Grouping::new_offsets(std::span<const Feature> features, const Clothoid& base,
+                                              std::span<const double> offsets) {
   leftovers_.clear();
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (groups_[i] < 0 && features[i].x < config_.birth_range && is_sound(features[i])) {
@@ -46,8 +46,8 @@ std::vector<double> Grouping::new_offsets(std::span<const Feature> features, con
     }
   }
   std::sort(leftovers_.begin(), leftovers_.end());
-  std::vector<double> taken(offsets.begin(), offsets.end());
-  std::vector<double> founded;
+  taken_.assign(offsets.begin(), offsets.end());
+  founded_.clear();
   while (true) {
     std::size_t best_count = config_.birth_features;
     double best_offset = 0;
@@ -57,14 +57,14 @@ std::vector<double> Grouping::new_offsets(std::span<const Feature> features, con
       const auto count = static_cast<std::size_t>(last - first);
       if (count < best_count + (found ? 1 : 0)) continue;
       const double mean = std::accumulate(first, last, 0.0) / static_cast<double>(count);
-      if (distance_to_nearest(mean, taken) < config_.birth_distance) continue;
+      if (distance_to_nearest(mean, taken_) < config_.birth_distance) continue;
       found = true;
       best_count = count;
       best_offset = mean;
     }
-    if (!found) return founded;
-    taken.push_back(best_offset);
-    founded.push_back(best_offset);
+    if (!found) return founded_;
+    taken_.push_back(best_offset);
+    founded_.push_back(best_offset);
   }
 }
 

@@ -26,8 +26,9 @@ class Grouping {
 
   /// Where enough leftovers in the near range lie close together across the road and far enough from every
   /// boundary: the offset of a new one. The densest place first.
-  [[nodiscard]] std::vector<double> new_offsets(std::span<const Feature> features, const Clothoid& base,
-                                                std::span<const double> offsets);
+  /// Valid until the next call.
+  [[nodiscard]] std::span<const double> new_offsets(std::span<const Feature> features, const Clothoid& base,
+                                                    std::span<const double> offsets);
 
   /// Whether a feature is good enough to found a boundary, or to keep one alive.
   [[nodiscard]] bool is_sound(const Feature& feature) const {
@@ -40,7 +41,7 @@ class Grouping {
  private:
   const LaneModelConfig& config_;
   std::vector<int> groups_;
-  std::vector<double> leftovers_;
+  std::vector<double> leftovers_, taken_, founded_;
 };
 
 }  // namespace lanefuse

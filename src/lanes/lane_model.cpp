@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lanefuse {
 namespace {
@@ -80,9 +81,10 @@ BaseClothoid LaneModel::fit_boundaries(std::span<const Feature> fused, const Bas
 }
 
 std::optional<BoundaryFit> LaneModel::fit_offset(std::span<const Feature> fused, int group,
-                                                 const BaseClothoid& base) const {
+                                                 const BaseClothoid& base) {
   const auto groups = grouping_.groups();
-  std::vector<std::pair<double, double>> offsets;  // offset, weight
+  auto& offsets = group_offsets_;
+  offsets.clear();
   double correlation = 0;
   double all = 0;
   for (std::size_t i = 0; i < fused.size(); ++i) {
@@ -133,33 +135,40 @@ void LaneModel::found_boundaries(std::span<const Feature> fused, const BaseCloth
 }
 
 void LaneModel::forget_boundaries() {
-  std::vector<BoundaryFilter> kept;
-  for (const BoundaryFilter& boundary : boundaries_) {
+  auto kept = boundaries_.begin();
+  for (BoundaryFilter& boundary : boundaries_) {
     const double offset = boundary.clothoid().lateral_offset;
-    const bool beside_older = std::any_of(kept.begin(), kept.end(), [&](const BoundaryFilter& older) {
+    const bool beside_older = std::any_of(boundaries_.begin(), kept, [&](const BoundaryFilter& older) {
       return std::abs(older.clothoid().lateral_offset - offset) < config_.merge_distance;
     });
-    if (boundary.misses <= config_.max_misses && !beside_older) kept.push_back(boundary);
+    if (boundary.misses <= config_.max_misses && !beside_older) *kept++ = boundary;
   }
-  boundaries_ = std::move(kept);
+  boundaries_.erase(kept, boundaries_.end());
 }
 
-void LaneModel::write_boundaries(LaneEstimate& estimate) const {
+void LaneModel::write_boundaries(LaneEstimate& estimate) {
+  from_left_.resize(boundaries_.size());
+  std::iota(from_left_.begin(), from_left_.end(), std::size_t{0});
+  const auto offset = [&](std::size_t b) { return boundaries_[b].clothoid().lateral_offset; };
+  std::sort(from_left_.begin(), from_left_.end(), [&](std::size_t a, std::size_t b) {
+    return offset(a) > offset(b) || (offset(a) == offset(b) && a < b);
+  });
+  for (Boundary& old : estimate.boundaries) spare_points_.push_back(std::move(old.points));
   estimate.boundaries.clear();
-  for (const BoundaryFilter& filter : boundaries_) {
-    Boundary boundary;
+  for (const std::size_t b : from_left_) {
+    const BoundaryFilter& filter = boundaries_[b];
+    Boundary& boundary = estimate.boundaries.emplace_back();
+    if (!spare_points_.empty()) {
+      boundary.points.swap(spare_points_.back());
+      spare_points_.pop_back();
+    }
     boundary.id = filter.id();
     boundary.clothoid = filter.clothoid();
     boundary.covariance = filter.covariance();
     boundary.confidence = filter.confidence;
     boundary.marking = filter.marking;
     cut_to_range(boundary);
-    estimate.boundaries.push_back(std::move(boundary));
   }
-  std::stable_sort(estimate.boundaries.begin(), estimate.boundaries.end(),
-                   [](const Boundary& a, const Boundary& b) {
-                     return a.clothoid.lateral_offset > b.clothoid.lateral_offset;
-                   });
 }
 
 void LaneModel::cut_to_range(Boundary& boundary) const {
@@ -200,15 +209,18 @@ void LaneModel::write_lanes(LaneEstimate& estimate) {
 }
 
 void LaneModel::forget_lanes(const LaneEstimate& estimate) {
-  std::erase_if(lane_ids_, [&](const auto& entry) {
-    return !find_boundary(estimate, entry.first.first) || !find_boundary(estimate, entry.first.second);
+  std::erase_if(known_lanes_, [&](const KnownLane& lane) {
+    return !find_boundary(estimate, lane.left) || !find_boundary(estimate, lane.right);
   });
 }
 
 std::uint64_t LaneModel::lane_id(std::uint64_t left, std::uint64_t right) {
-  const auto [entry, is_new] = lane_ids_.try_emplace({left, right}, next_lane_);
-  if (is_new) ++next_lane_;
-  return entry->second;
+  const auto known = std::find_if(known_lanes_.begin(), known_lanes_.end(), [&](const KnownLane& lane) {
+    return lane.left == left && lane.right == right;
+  });
+  if (known != known_lanes_.end()) return known->id;
+  known_lanes_.push_back({left, right, next_lane_});
+  return next_lane_++;
 }
 
 void LaneModel::explain(std::span<const Feature> fused, DebugView& view) const {
@@ -232,7 +244,7 @@ void LaneModel::explain(std::span<const Feature> fused, DebugView& view) const {
 void LaneModel::reset() {
   base_.reset();
   boundaries_.clear();
-  lane_ids_.clear();
+  known_lanes_.clear();
   next_boundary_ = 1;
   next_lane_ = 1;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,11 +38,10 @@ class LaneModel {
   /// Gives the road's course that the boundaries were fitted on.
   BaseClothoid fit_boundaries(std::span<const Feature> fused, const BaseClothoid& heading_fit);
   void found_boundaries(std::span<const Feature> fused, const BaseClothoid& base);
-  [[nodiscard]] std::optional<BoundaryFit> fit_offset(std::span<const Feature> fused, int group,
-                                                      const BaseClothoid& base) const;
+  std::optional<BoundaryFit> fit_offset(std::span<const Feature> fused, int group, const BaseClothoid& base);
   void observe(BoundaryFilter& boundary, std::span<const Feature> fused, int group) const;
   void forget_boundaries();
-  void write_boundaries(LaneEstimate& estimate) const;
+  void write_boundaries(LaneEstimate& estimate);
   void cut_to_range(Boundary& boundary) const;
   void count_support(std::span<const Feature> fused, LaneEstimate& estimate) const;
   void write_lanes(LaneEstimate& estimate);
@@ -59,7 +57,15 @@ class LaneModel {
   std::vector<std::uint64_t> group_ids_;    ///< the boundary that each group of the last cycle stands for
   std::uint64_t next_boundary_ = 1;
   std::uint64_t next_lane_ = 1;
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> lane_ids_;  ///< by left and right boundary
+  struct KnownLane {
+    std::uint64_t left, right;  ///< boundaries
+    std::uint64_t id;
+  };
+  std::vector<KnownLane> known_lanes_;
+  std::vector<std::pair<double, double>>
+      group_offsets_;                   ///< scratch: offset and weight of a group's features
+  std::vector<std::size_t> from_left_;  ///< scratch: boundaries in order across the road
+  std::vector<std::vector<BoundaryPoint>> spare_points_;  ///< memory that goes from cycle to cycle
 };
 
 }  // namespace lanefuse

@@ -131,6 +131,9 @@ TEST(ConjugateGradientSolver, NeedsNoHelpWhereAllFitsToTheLastBit) {
       const SolveResult result = solver.solve(window, to_the_end(SwitchForm::linear));
       EXPECT_EQ(result.status, SolveStatus::converged) << seed;
       EXPECT_EQ(result.fallback, SolveFallback::none) << seed;
+      if (cycle > 0) {
+        EXPECT_EQ(result.halvings, 0) << seed;
+      }
       EXPECT_LT(result.final_chi2, 1e-12) << seed;
     }
   }

@@ -33,7 +33,8 @@ class Sorting : public ::testing::Test {
   }
   std::vector<double> founded(const std::vector<double>& offsets = {}) {
     groups(offsets);
-    return grouping_.new_offsets(features_, kBend, offsets);
+    const auto founded = grouping_.new_offsets(features_, kBend, offsets);
+    return {founded.begin(), founded.end()};
   }
 
   LaneModelConfig config_;
