@@ -60,9 +60,10 @@ bool take_chain(const PoseGraph& graph, WindowOfGraph& out) {
   std::size_t poses = 0;
   std::size_t fixed = 0;
   for (VertexId v = 0; v < graph.vertices.size(); ++v) {
-    if (graph.vertices[v].role == VertexRole::landmark && !graph.vertices[v].fixed) continue;
-    ++poses;
+    const bool is_pose = graph.vertices[v].role == VertexRole::pose;
+    if (is_pose) ++poses;
     if (!graph.vertices[v].fixed) continue;
+    if (!is_pose) return false;
     newest = v;
     ++fixed;
   }

@@ -52,4 +52,6 @@ const WindowKernels& window_kernels() {
   return kPlain;
 }
 
+const WindowKernels& plain_kernels() { return kPlain; }
+
 }  // namespace lanefuse

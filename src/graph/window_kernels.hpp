@@ -39,7 +39,10 @@ struct WindowKernels {
                std::span<const Quad> by_landmark, std::span<Quad> product);
 };
 
-/// The kernels for this processor. They differ in speed only.
+/// The kernels for this processor. They differ from the plain ones in speed only: all give the same bytes.
 const WindowKernels& window_kernels();
+
+/// The kernels for any processor.
+const WindowKernels& plain_kernels();
 
 }  // namespace lanefuse

@@ -17,6 +17,9 @@ constexpr double kLeastDeterminantShare = 1e-13;
 /// Two costs as near as this to each other are the same but for rounding.
 constexpr double kRounding = 1e-13;
 
+/// A step that is this small a share of the farthest coordinate is down in the coordinates' rounding.
+constexpr double kStepRounding = 1e-12;
+
 constexpr int kMaxHalvings = 12;
 
 void set_zero(Quads& v, std::size_t size) { v.assign(size, Quad{}); }
@@ -31,10 +34,12 @@ void add_scaled(std::span<Quad> sum, double scale, std::span<const Quad> term) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * term[i];
 }
 
-/// xx, xy, yy, heading of the inverse, or false.
+/// xx, xy, yy, heading of the inverse, or false. What is undetermined does not depend on the axes, of which
+/// one may by chance stand along what is told: hence beside the larger of the two.
 bool invert(const Quad& m, Quad& inverse) {
   const double determinant = m[0] * m[2] - m[1] * m[1];
-  if (!(determinant > kLeastDeterminantShare * m[0] * m[2] && m[0] > 0 && m[3] > 0)) return false;
+  const double larger = std::max(m[0], m[2]);
+  if (!(determinant > kLeastDeterminantShare * larger * larger && larger > 0 && m[3] > 0)) return false;
   inverse = Quad{m[2] / determinant, -m[1] / determinant, m[0] / determinant, 1 / m[3]};
   return true;
 }
@@ -65,6 +70,7 @@ SolveResult ConjugateGradientSolver::solve(WindowGraph& graph, const SolverConfi
     const Step step = find_step(graph, config, result);
     if (step == Step::singular) {
       result.status = SolveStatus::singular;
+      result.final_chi2 = result.initial_chi2;
       return result;
     }
     if (step == Step::struggled) return fall_back(graph, config, result, SolveFallback::cg_struggled);
@@ -96,7 +102,7 @@ bool ConjugateGradientSolver::descend(const WindowGraph& graph, const SolverConf
       result.final_chi2 = here;
       return goes_on;
     }
-    if (here - result.final_chi2 <= enough) break;
+    if (here - result.final_chi2 <= enough || step_is_negligible()) break;
     ++result.halvings;
   }
   system_.places = best_places_;
@@ -252,6 +258,20 @@ void ConjugateGradientSolver::take_step(const WindowGraph& graph, double share) 
     system_.landmarks[r][2] = wrap_angle(system_.landmarks[r][2]);
   }
   place_turns(graph);
+}
+
+/// Whether the cost says nothing about the step: where all fits to the last bit, it is rounding itself.
+bool ConjugateGradientSolver::step_is_negligible() const {
+  double farthest = 1;
+  for (const Quads* places : {&best_places_, &best_landmarks_}) {
+    for (const Quad& p : *places) farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
+  }
+  const double bound = kStepRounding * farthest;
+  const auto is_small = [&](const Quad& step) {
+    return std::abs(step[0]) <= bound && std::abs(step[1]) <= bound && std::abs(step[2]) <= bound;
+  };
+  return std::all_of(step_.begin(), step_.end(), is_small) &&
+         std::all_of(landmark_step_.begin(), landmark_step_.end(), is_small);
 }
 
 void ConjugateGradientSolver::write_back(WindowGraph& graph) const {

@@ -48,6 +48,7 @@ class ConjugateGradientSolver final : public WindowSolver {
   bool descend(const WindowGraph& graph, const SolverConfig& config, bool last, SolveResult& result);
   void take_step(const WindowGraph& graph, double share);
   void place_turns(const WindowGraph& graph);
+  [[nodiscard]] bool step_is_negligible() const;
   void write_back(WindowGraph& graph) const;
   SolveResult fall_back(WindowGraph& graph, const SolverConfig& config, SolveResult result,
                         SolveFallback reason);

@@ -13,12 +13,12 @@ namespace {
 
 const Pose2 kMeasured{20, 3, 0.1};
 const Eigen::Matrix3d kInformation = Eigen::Vector3d(1, 100, 1e4).asDiagonal();
-constexpr VertexId kFeature = 5;
+constexpr FeatureAssociation::Id kFeature = 5;
 
 /// Whether a fused feature that lies like this from the measured one, in its frame, is taken for the same.
 bool is_associated(const Pose2& offset, const Pose2& measured = kMeasured) {
   const AssociationConfig config;
-  FeatureAssociation association(config);
+  FeatureAssociation association(config, 8);
   association.clear();
   association.add(kFeature, measured * offset);
   association.begin_set();
@@ -59,10 +59,10 @@ class AssociationOfAPair : public ::testing::Test {
     association_.add(1, kMeasured * Pose2{0, 0.2, 0});  // nearer in metres, but 2 sigmas away
     association_.begin_set();
   }
-  std::optional<VertexId> claim() { return association_.claim(kMeasured, kInformation); }
+  std::optional<FeatureAssociation::Id> claim() { return association_.claim(kMeasured, kInformation); }
 
   AssociationConfig config_;
-  FeatureAssociation association_{config_};
+  FeatureAssociation association_{config_, 8};
 };
 
 TEST_F(AssociationOfAPair, GivesTheSmallestMahalanobisDistance) { EXPECT_EQ(claim(), 0U); }
@@ -97,11 +97,11 @@ TEST(FeatureAssociation, ReachesBeyondItsSlices) {
 }
 
 /// What claim() promises, without slices.
-std::optional<VertexId> search_all(const std::vector<Pose2>& features, const Pose2& measured) {
+std::optional<FeatureAssociation::Id> search_all(const std::vector<Pose2>& features, const Pose2& measured) {
   const AssociationConfig config;
-  std::optional<VertexId> best;
+  std::optional<FeatureAssociation::Id> best;
   double least = std::numeric_limits<double>::infinity();
-  for (VertexId id = 0; id < features.size(); ++id) {
+  for (FeatureAssociation::Id id = 0; id < features.size(); ++id) {
     const Pose2 offset = measured.inverse() * features[id];
     const Eigen::Vector3d e(offset.x, offset.y, offset.heading);
     const double across = config.across + config.across_per_metre * std::max(0.0, measured.x);
@@ -127,9 +127,9 @@ RC_GTEST_PROP(FeatureAssociation, FindsWhatASearchThroughAllFinds, ()) {
   const auto features = *rc::gen::container<std::vector<Pose2>>(pose);
   const Pose2 measured = *pose;
   const AssociationConfig config;
-  FeatureAssociation association(config);
+  FeatureAssociation association(config, 8);
   association.clear();
-  for (VertexId id = 0; id < features.size(); ++id) association.add(id, features[id]);
+  for (FeatureAssociation::Id id = 0; id < features.size(); ++id) association.add(id, features[id]);
   association.begin_set();
   RC_ASSERT(association.claim(measured, kInformation) == search_all(features, measured));
 }

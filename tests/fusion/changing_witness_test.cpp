@@ -24,7 +24,7 @@ std::size_t smoothing_edges(int changing_from, int changing_to) {
     const bool changing = i >= changing_from && i < changing_to;
     drive.step({3.0 * i, 0, 0}, {drive.set(Source::objects, witness(30, y, changing))});
   }
-  return testing::edges_of(drive.window(), EdgeKind::smoothing).size();
+  return testing::edges_of(drive.window(), testing::EdgeKind::smoothing).size();
 }
 
 TEST(ChangingWitness, HasNoSmoothingEdgeWhileItChangesNorFromBeforeToAfter) {

@@ -11,7 +11,9 @@
 namespace lanefuse {
 namespace {
 
+using testing::EdgeKind;
 using testing::FusionDrive;
+using testing::WindowView;
 
 /// A solver that knows the car's own path exactly: it holds all poses and moves the features alone.
 class ExactOdometrySolver final : public GraphSolver {
@@ -105,27 +107,23 @@ FusionConfig exact_config() {
   return config;
 }
 
-double switch_of(const PoseGraph& graph, std::size_t edge) {
-  const std::uint32_t index = graph.edges[edge].switch_index;
-  return index == kNoSwitch ? 1 : graph.switches[index].value;
-}
-
 RC_GTEST_PROP(EgoLaneChange, LeavesWidthAndSmoothingErrorsAsTheyWere, ()) {
   const Traffic traffic = any_traffic();
   const double lane_change = *rc::gen::element(-3.5, 3.5);
-  FusionDrive straight(exact_config(), std::make_unique<ExactOdometrySolver>());
-  FusionDrive changing(exact_config(), std::make_unique<ExactOdometrySolver>());
+  const auto solver = [] { return make_window_solver(std::make_unique<ExactOdometrySolver>()); };
+  FusionDrive straight(exact_config(), solver());
+  FusionDrive changing(exact_config(), solver());
   follow(straight, traffic, 0);
   follow(changing, traffic, lane_change);
+  const WindowView one = straight.view();
+  const WindowView other = changing.view();
   for (const EdgeKind kind : {EdgeKind::width, EdgeKind::smoothing}) {
-    const auto edges = testing::edges_of(straight.window(), kind);
-    RC_ASSERT(edges == testing::edges_of(changing.window(), kind));
+    const auto edges = one.edges_of(kind);
+    RC_ASSERT(edges == other.edges_of(kind));
     RC_ASSERT(!edges.empty());
     for (const std::size_t i : edges) {
-      const Eigen::Vector3d off =
-          testing::error_of(straight.graph(), i) - testing::error_of(changing.graph(), i);
-      RC_ASSERT(off.cwiseAbs().maxCoeff() < 1e-6);
-      RC_ASSERT(std::abs(switch_of(straight.graph(), i) - switch_of(changing.graph(), i)) < 1e-6);
+      RC_ASSERT((one.error_of(i) - other.error_of(i)).cwiseAbs().maxCoeff() < 1e-6);
+      RC_ASSERT(std::abs(one.switch_of(i) - other.switch_of(i)) < 1e-6);
     }
   }
 }
@@ -143,11 +141,11 @@ TEST(EgoLaneChange, PullsAtNoWitnessThatKeepsItsLane) {
     set.lane_width->mean = 3.5;
     drive.step(car, {set});
   }
+  const WindowView view = drive.view();
   for (const EdgeKind kind : {EdgeKind::width, EdgeKind::smoothing}) {
-    for (const std::size_t i : testing::edges_of(drive.window(), kind)) {
-      EXPECT_LT(testing::error_of(drive.graph(), i).tail<2>().norm(),
-                1e-6);  // along the road nothing is said
-      EXPECT_NEAR(switch_of(drive.graph(), i), 1, 1e-6);
+    for (const std::size_t i : view.edges_of(kind)) {
+      EXPECT_LT(view.error_of(i).tail<2>().norm(), 1e-6);  // along the road nothing is said
+      EXPECT_NEAR(view.switch_of(i), 1, 1e-6);
     }
   }
 }

@@ -8,10 +8,12 @@
 namespace lanefuse {
 namespace {
 
+using testing::EdgeKind;
+
 class GraphSlamExample : public ::testing::Test {
  protected:
   std::unique_ptr<testing::FusionDrive> drive_ = testing::graph_slam_example();
-  const SlidingWindow& window_ = drive_->window();
+  const testing::WindowView window_ = drive_->view();
   const PoseGraph& graph_ = window_.graph();
 
   [[nodiscard]] std::vector<VertexId> vertices(VertexRole role) const {
@@ -24,7 +26,7 @@ class GraphSlamExample : public ::testing::Test {
   /// The ends of all edges of a kind and source.
   [[nodiscard]] std::vector<std::pair<VertexId, VertexId>> ends(EdgeKind kind, Source source) const {
     std::vector<std::pair<VertexId, VertexId>> result;
-    for (const std::size_t i : testing::edges_of(window_, kind)) {
+    for (const std::size_t i : window_.edges_of(kind)) {
       if (window_.origin(i).source == source) result.emplace_back(graph_.edges[i].from, graph_.edges[i].to);
     }
     return result;
@@ -48,7 +50,7 @@ TEST_F(GraphSlamExample, HasThePapersVerticesAndEdges) {
   EXPECT_EQ(keyframe_before, before);
   EXPECT_EQ(keyframe_now, now);
 
-  EXPECT_EQ(testing::edges_of(window_, EdgeKind::odometry).size(), 1U);
+  EXPECT_EQ(window_.edges_of(EdgeKind::odometry).size(), 1U);
   EXPECT_EQ(ends(EdgeKind::measurement, Source::objects),
             (Ends{{before, left_before}, {before, right_before}, {now, left_now}, {now, right_now}}));
   EXPECT_EQ(ends(EdgeKind::width, Source::objects),

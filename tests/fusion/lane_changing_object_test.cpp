@@ -10,17 +10,18 @@ namespace {
 
 using testing::LaneChangeScene;
 using testing::Sighting;
+using testing::WindowView;
 
-bool has_cameras_too(const SlidingWindow& window, VertexId feature) {
-  const auto& hits = window.vertex(feature).hits;
+bool has_cameras_too(const WindowView& window, VertexId feature) {
+  const auto& hits = window.feature(feature).hits;
   return hits[static_cast<std::size_t>(Source::serial_camera)] > 0 &&
          hits[static_cast<std::size_t>(Source::high_resolution_camera)] > 0;
 }
 
-double y_of(const SlidingWindow& window, VertexId vertex) { return window.graph().vertices[vertex].pose.y; }
+double y_of(const WindowView& window, VertexId vertex) { return window.vertex(vertex).pose.y; }
 
 /// How far the widths of all sightings are from the lane's, at most.
-double worst_width(const SlidingWindow& window) {
+double worst_width(const WindowView& window) {
   double worst = 0;
   for (const Sighting& sighting : testing::sightings(window)) {
     worst = std::max(worst, std::abs(testing::width_of(window, sighting) - testing::kLaneWidthOfScene));
@@ -29,7 +30,7 @@ double worst_width(const SlidingWindow& window) {
 }
 
 /// The largest step across the road between successive features of one side in one lane.
-double worst_step(const SlidingWindow& window) {
+double worst_step(const WindowView& window) {
   const auto all = testing::sightings(window);
   double worst = 0;
   for (std::size_t i = 1; i < all.size(); ++i) {
@@ -42,46 +43,48 @@ double worst_step(const SlidingWindow& window) {
 
 TEST(LaneChangingObject, IsAssociatedWithTheMarkingsItDrivesAlong) {
   const auto drive = LaneChangeScene{}.run();
-  const auto all = testing::sightings(drive->window());
+  const WindowView view = drive->view();
+  const auto all = testing::sightings(view);
   ASSERT_EQ(all.size(), LaneChangeScene::kOffsets.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool in_left_lane = i < LaneChangeScene::kBefore;
-    EXPECT_EQ(has_cameras_too(drive->window(), all[i].left), !in_left_lane) << i;
-    EXPECT_TRUE(has_cameras_too(drive->window(), all[i].right)) << i;
-    EXPECT_NEAR(y_of(drive->window(), in_left_lane ? all[i].right : all[i].left), 1.75, 0.1) << i;
+    EXPECT_EQ(has_cameras_too(view, all[i].left), !in_left_lane) << i;
+    EXPECT_TRUE(has_cameras_too(view, all[i].right)) << i;
+    EXPECT_NEAR(y_of(view, in_left_lane ? all[i].right : all[i].left), 1.75, 0.1) << i;
   }
 }
 
 TEST(LaneChangingObject, TearsItsLaneApartWithoutWidthAndSmoothing) {
   const auto drive = LaneChangeScene{}.run();
-  EXPECT_GT(worst_width(drive->window()), 0.25);
+  EXPECT_GT(worst_width(drive->view()), 0.25);
 }
 
 TEST(LaneChangingObject, IsOneLaneWideAgainWithWidthEdges) {
   const auto without = LaneChangeScene{}.run();
   const auto with = LaneChangeScene{.width_edges = true}.run();
-  EXPECT_LT(worst_width(with->window()), 0.1);
-  EXPECT_LT(worst_width(with->window()), worst_width(without->window()) / 3);
+  EXPECT_LT(worst_width(with->view()), 0.1);
+  EXPECT_LT(worst_width(with->view()), worst_width(without->view()) / 3);
 }
 
 TEST(LaneChangingObject, IsSmoothButForItsLaneChangeWithSmoothingEdges) {
   const auto width = LaneChangeScene{.width_edges = true}.run();
   const auto both = LaneChangeScene{.width_edges = true, .smoothing_edges = true}.run();
-  EXPECT_LT(worst_step(both->window()), worst_step(width->window()));
-  EXPECT_LT(worst_width(both->window()), 0.1);
+  EXPECT_LT(worst_step(both->view()), worst_step(width->view()));
+  EXPECT_LT(worst_width(both->view()), 0.1);
 }
 
 TEST(LaneChangingObject, SwitchesOffTheTwoEdgesAcrossItsLaneChangeAlone) {
   const auto drive = LaneChangeScene{.width_edges = true, .smoothing_edges = true}.run();
-  const auto all = testing::sightings(drive->window());
+  const WindowView view = drive->view();
+  const auto all = testing::sightings(view);
   const Sighting& last = all[LaneChangeScene::kBefore - 1];
   const Sighting& first = all[LaneChangeScene::kBefore];
   int off = 0;
-  for (const std::size_t i : testing::edges_of(drive->window(), EdgeKind::smoothing)) {
-    const Edge& edge = drive->graph().edges[i];
+  for (const std::size_t i : view.edges_of(testing::EdgeKind::smoothing)) {
+    const Edge& edge = view.edge(i);
     const bool across = (edge.from == last.left && edge.to == first.left) ||
                         (edge.from == last.right && edge.to == first.right);
-    const double value = drive->graph().switches[edge.switch_index].value;
+    const double value = view.switch_of(i);
     if (across) {
       EXPECT_EQ(value, 0);
       ++off;
@@ -101,8 +104,9 @@ TEST(LaneChangingObject, WouldDragTheFeaturesAlongWithoutSwitches) {
       drive.step({3.0 * i, 0, 0}, {testing::vehicle_set(drive, 30, i < 4 ? 3.5 : 0.0)});
     }
     double farthest = 0;
-    for (const Sighting& s : testing::sightings(drive.window())) {
-      const double y = y_of(drive.window(), s.left);
+    const WindowView view = drive.view();
+    for (const Sighting& s : testing::sightings(view)) {
+      const double y = y_of(view, s.left);
       farthest = std::max(farthest, std::min(std::abs(y - 5.25), std::abs(y - 1.75)));
     }
     return farthest;

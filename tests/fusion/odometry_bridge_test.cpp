@@ -5,12 +5,15 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
-#include "support/fusion_drive.hpp"
+#include "support/window_view.hpp"
 
 namespace lanefuse {
 namespace {
 
-constexpr EdgeOrigin kCamera{EdgeKind::measurement, Source::serial_camera, 1};
+using testing::EdgeKind;
+using testing::WindowView;
+
+constexpr Witness kCamera{Source::serial_camera, 1};
 
 Time at(double seconds) { return from_nanoseconds(0) + from_seconds(seconds); }
 
@@ -21,14 +24,14 @@ class Bridge : public ::testing::Test {
     config_.odometry = {0.02, 2, 0.5, 0.02};
     Pose2 car{50, -20, 3.1};  // the headings wrap on the way
     window_.advance(at(0), car);
-    const VertexId feature = window_.add_feature(car * Pose2{30, 2, 0}, at(0));
-    window_.add_measurement({0, feature, {30, 2, 0}}, kCamera);
+    const auto feature = window_.add_feature(car * Pose2{30, 2, 0}, at(0));
+    window_.add_measurement(window_.graph().chain()[0], feature.value(), {30, 2, 0}, {1, 0, 1, 1}, kCamera);
     for (std::size_t i = 0; i < 3; ++i) {
       car = car * Pose2{4.0 + static_cast<double>(i), 0.3, 0.4 - 0.15 * static_cast<double>(i)};
       window_.advance(at(0.2 * static_cast<double>(i + 1)), car);
     }
-    steps_ = window_.graph().edges;
-    steps_.erase(steps_.begin());  // the measurement
+    const WindowView view(window_);
+    for (const std::size_t i : view.edges_of(EdgeKind::odometry)) steps_.push_back(view.edge(i));
     window_.prune(at(1), car);
   }
 
@@ -45,14 +48,15 @@ class Bridge : public ::testing::Test {
 
 TEST_F(Bridge, JoinsWhatIsLeftOfTheChain) {
   ASSERT_EQ(window_.keyframe_count(), 2U);
-  const auto odometry = testing::edges_of(window_, EdgeKind::odometry);
+  const WindowView view(window_);
+  const auto odometry = view.edges_of(EdgeKind::odometry);
   ASSERT_EQ(odometry.size(), 1U);
-  const Edge& edge = window_.graph().edges[odometry[0]];
-  EXPECT_EQ(window_.vertex(edge.from).time, at(0));
-  EXPECT_TRUE(window_.graph().vertices[edge.to].fixed);
+  const Edge& edge = view.edge(odometry[0]);
+  EXPECT_EQ(view.keyframe(edge.from).time, at(0));
+  EXPECT_TRUE(view.vertex(edge.to).fixed);
   const Pose2 off = whole_way().inverse() * edge.measurement;
   EXPECT_LT(Eigen::Vector3d(off.x, off.y, off.heading).norm(), 1e-12);
-  EXPECT_LT(testing::error_of(window_.graph(), odometry[0]).norm(), 1e-12);
+  EXPECT_LT(view.error_of(odometry[0]).norm(), 1e-12);
 }
 
 TEST_F(Bridge, KnowsAsMuchOfTheWayAsTheStepsKnew) {
@@ -71,8 +75,9 @@ TEST_F(Bridge, KnowsAsMuchOfTheWayAsTheStepsKnew) {
     const Eigen::Vector3d e(off.x, off.y, off.heading);
     scatter += e * e.transpose() / kDraws;
   }
-  const auto odometry = testing::edges_of(window_, EdgeKind::odometry);
-  const Eigen::Matrix3d root = window_.graph().edges[odometry.at(0)].information.llt().matrixL();
+  const WindowView view(window_);
+  const auto odometry = view.edges_of(EdgeKind::odometry);
+  const Eigen::Matrix3d root = view.edge(odometry.at(0)).information.llt().matrixL();
   // Whitened by the edge's information, the scatter is that of white noise.
   const Eigen::Matrix3d whitened = root.transpose() * scatter * root;
   EXPECT_LT((whitened - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.04) << whitened;

@@ -7,6 +7,7 @@
 namespace lanefuse {
 namespace {
 
+using testing::EdgeKind;
 using testing::edges_of;
 using testing::FusionDrive;
 
@@ -25,16 +26,17 @@ TEST(Ties, StandBetweenTheSidesAndAlongTheWayOfAWitness) {
   follow_a_vehicle(drive, 4);
   EXPECT_EQ(edges_of(drive.window(), EdgeKind::width).size(), 4U);
   EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 6U);
-  for (const std::size_t i : edges_of(drive.window(), EdgeKind::width)) {
-    const Edge& edge = drive.graph().edges[i];
-    EXPECT_EQ(drive.window().vertex(edge.from).side, Side::right);
-    EXPECT_EQ(drive.window().vertex(edge.to).side, Side::left);
-    EXPECT_NEAR(testing::error_of(drive.graph(), i).y(), 0, 1e-9);
+  const testing::WindowView view = drive.view();
+  for (const std::size_t i : view.edges_of(EdgeKind::width)) {
+    const Edge& edge = view.edge(i);
+    EXPECT_EQ(view.feature(edge.from).side, Side::right);
+    EXPECT_EQ(view.feature(edge.to).side, Side::left);
+    EXPECT_NEAR(view.error_of(i).y(), 0, 1e-9);
   }
-  for (const std::size_t i : edges_of(drive.window(), EdgeKind::smoothing)) {
-    const Edge& edge = drive.graph().edges[i];
-    EXPECT_EQ(drive.window().vertex(edge.from).side, drive.window().vertex(edge.to).side);
-    EXPECT_NEAR(drive.graph().vertices[edge.to].pose.x - drive.graph().vertices[edge.from].pose.x, 3, 1e-6);
+  for (const std::size_t i : view.edges_of(EdgeKind::smoothing)) {
+    const Edge& edge = view.edge(i);
+    EXPECT_EQ(view.feature(edge.from).side, view.feature(edge.to).side);
+    EXPECT_NEAR(view.vertex(edge.to).pose.x - view.vertex(edge.from).pose.x, 3, 1e-6);
   }
 }
 

@@ -11,8 +11,11 @@
 namespace lanefuse {
 namespace {
 
+using testing::EdgeKind;
+using testing::EdgeOrigin;
 using testing::LaneChangeScene;
 using testing::Sighting;
+using testing::WindowView;
 
 std::string kind_of(const EdgeOrigin& origin) {
   switch (origin.kind) {
@@ -36,12 +39,15 @@ std::string kind_of(const EdgeOrigin& origin) {
 }
 
 /// The edges in the order of the legend, which also gives them their colours.
-void add_edges(const SlidingWindow& window, GraphView& view) {
+void add_edges(const WindowView& window, GraphView& view) {
   for (const EdgeKind kind :
        {EdgeKind::odometry, EdgeKind::width, EdgeKind::smoothing, EdgeKind::measurement}) {
-    for (const std::size_t i : testing::edges_of(window, kind)) {
-      const Edge& edge = window.graph().edges[i];
-      view.edges.push_back({edge.from, edge.to, kind_of(window.origin(i)), false});
+    for (const Source source : {Source::serial_camera, Source::objects, Source::high_resolution_camera}) {
+      for (const std::size_t i : window.edges_of(kind)) {
+        if (window.origin(i).source != source) continue;
+        const Edge& edge = window.edge(i);
+        view.edges.push_back({edge.from, edge.to, kind_of(window.origin(i)), false});
+      }
     }
   }
 }
@@ -49,18 +55,17 @@ void add_edges(const SlidingWindow& window, GraphView& view) {
 /// The graph of two cycles as it stands in the window.
 GraphView example_view() {
   const auto drive = testing::graph_slam_example();
-  const SlidingWindow& window = drive->window();
+  const WindowView window = drive->view();
   GraphView view{"One vehicle in two cycles, and a marking feature f* that two cameras saw", {}, {}};
   for (VertexId id = 0; id < window.graph().vertices.size(); ++id) {
-    const Vertex& vertex = window.graph().vertices[id];
-    const WindowVertex& about = window.vertex(id);
+    const Vertex& vertex = window.vertex(id);
     const bool now = vertex.role == VertexRole::pose ? vertex.fixed : vertex.pose.x > 20;
     const std::string when = now ? "t" : "t-1";
-    const bool tracked = about.track_id != kNoTrack;
-    const bool left = about.side == Side::left;
     if (vertex.role == VertexRole::pose) {
       view.nodes.push_back({vertex.pose.x, vertex.pose.y, "x, " + when, "our car"});
     } else {
+      const bool tracked = window.feature(id).track_id != kNoTrack;
+      const bool left = window.feature(id).side == Side::left;
       const std::string name = tracked ? (left ? "left, " : "right, ") + when : "f*";
       view.nodes.push_back({vertex.pose.x, vertex.pose.y, name, "lane feature", {}, left});
     }
@@ -73,30 +78,30 @@ constexpr const char* kVehicle = "vehicle's feature";
 constexpr const char* kMarking = "marking feature of the cameras";
 constexpr const char* kBoth = "both fused";
 
-bool seen_by(const WindowVertex& vertex, Source source) {
-  return vertex.hits[static_cast<std::size_t>(source)] > 0;
+bool seen_by(const WindowFeature& feature, Source source) {
+  return feature.hits[static_cast<std::size_t>(source)] > 0;
 }
 
-bool is_fused(const WindowVertex& vertex) {
-  return seen_by(vertex, Source::objects) && seen_by(vertex, Source::serial_camera);
+bool is_fused(const WindowFeature& feature) {
+  return seen_by(feature, Source::objects) && seen_by(feature, Source::serial_camera);
 }
 
-bool is_in_left_lane(const SlidingWindow& window, const Sighting& s) {
-  return !is_fused(window.vertex(s.left));
+bool is_in_left_lane(const WindowView& window, const Sighting& s) {
+  return !is_fused(window.feature(s.left));
 }
 
 /// (a) What was measured, and which marking feature each of the vehicle's features was taken for.
 GraphView association_view() {
   const auto drive = LaneChangeScene{}.run();
-  const SlidingWindow& window = drive->window();
+  const WindowView window = drive->view();
   GraphView view{"(a) The features as measured, associated while the graph is built", {}, {}};
   std::map<VertexId, std::size_t> vehicle_node;
   // The high-resolution camera's features stand where the serial camera's do, to a few centimetres.
   for (const Source source : {Source::objects, Source::serial_camera}) {
-    for (const std::size_t i : testing::edges_of(window, EdgeKind::measurement)) {
+    for (const std::size_t i : window.edges_of(EdgeKind::measurement)) {
       if (window.origin(i).source != source) continue;
-      const Edge& edge = window.graph().edges[i];
-      const Pose2 measured = window.graph().vertices[edge.from].pose * edge.measurement;
+      const Edge& edge = window.edge(i);
+      const Pose2 measured = window.vertex(edge.from).pose * edge.measurement;
       const std::size_t node = view.nodes.size();
       view.nodes.push_back({measured.x, measured.y, "", source == Source::objects ? kVehicle : kMarking});
       if (source == Source::objects) {
@@ -112,16 +117,17 @@ GraphView association_view() {
 /// (b), (c), (d) The solved features; each sighting says how far its two are from each other.
 GraphView solved_view(const std::string& title, const LaneChangeScene& scene) {
   const auto drive = scene.run();
-  const SlidingWindow& window = drive->window();
+  const WindowView window = drive->view();
   GraphView view{title, {}, {}};
   std::vector<std::size_t> node_of(window.graph().vertices.size());
   // Vehicles first: kinds keep their colours from picture to picture.
   for (const char* kind : {kVehicle, kMarking, kBoth}) {
     for (VertexId id = 0; id < window.graph().vertices.size(); ++id) {
-      const Vertex& vertex = window.graph().vertices[id];
-      const WindowVertex& about = window.vertex(id);
+      const Vertex& vertex = window.vertex(id);
+      if (vertex.role != VertexRole::landmark) continue;
+      const WindowFeature& about = window.feature(id);
       const char* own = is_fused(about) ? kBoth : seen_by(about, Source::objects) ? kVehicle : kMarking;
-      if (vertex.role != VertexRole::landmark || own != kind) continue;
+      if (own != kind) continue;
       node_of[id] = view.nodes.size();
       view.nodes.push_back({vertex.pose.x, vertex.pose.y, "", own});
     }
@@ -134,10 +140,9 @@ GraphView solved_view(const std::string& title, const LaneChangeScene& scene) {
     node.label_above = before;
   }
   for (const EdgeKind kind : {EdgeKind::width, EdgeKind::smoothing}) {
-    for (const std::size_t i : testing::edges_of(window, kind)) {
-      const Edge& edge = window.graph().edges[i];
-      const bool off =
-          edge.switch_index != kNoSwitch && window.graph().switches[edge.switch_index].value < 0.5;
+    for (const std::size_t i : window.edges_of(kind)) {
+      const Edge& edge = window.edge(i);
+      const bool off = window.switch_of(i) < 0.5;
       view.edges.push_back({node_of[edge.from], node_of[edge.to], kind_of(window.origin(i)), off});
     }
   }

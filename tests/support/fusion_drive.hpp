@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fusion/feature_fusion.hpp"
+#include "support/window_view.hpp"
 
 /// Drives the feature fusion by hand, a cycle at a time.
 namespace lanefuse::testing {
@@ -33,7 +34,7 @@ inline Feature witnessed(std::int64_t track, Side side, const Pose2& pose, doubl
 class FusionDrive {
  public:
   explicit FusionDrive(const FusionConfig& config = {},
-                       std::unique_ptr<GraphSolver> solver = make_schur_solver())
+                       std::unique_ptr<WindowSolver> solver = std::make_unique<ConjugateGradientSolver>())
       : config_(config), fusion_(config_, std::move(solver)) {}
   FusionDrive(const FusionDrive&) = delete;
   FusionDrive& operator=(const FusionDrive&) = delete;
@@ -66,7 +67,7 @@ class FusionDrive {
 
   [[nodiscard]] const FeatureFusion& fusion() const { return fusion_; }
   [[nodiscard]] const SlidingWindow& window() const { return fusion_.window(); }
-  [[nodiscard]] const PoseGraph& graph() const { return fusion_.window().graph(); }
+  [[nodiscard]] WindowView view() const { return WindowView(fusion_.window()); }
 
  private:
   FusionConfig config_;
@@ -74,21 +75,6 @@ class FusionDrive {
   std::vector<MotionSample> motion_;
   Time now_ = from_nanoseconds(1'000'000'000);
 };
-
-/// The numbers of the window's edges of one kind, in order.
-inline std::vector<std::size_t> edges_of(const SlidingWindow& window, EdgeKind kind) {
-  std::vector<std::size_t> edges;
-  for (std::size_t i = 0; i < window.graph().edges.size(); ++i) {
-    if (window.origin(i).kind == kind) edges.push_back(i);
-  }
-  return edges;
-}
-
-/// The error of an edge of the window as it stands.
-inline Eigen::Vector3d error_of(const PoseGraph& graph, std::size_t edge) {
-  const Edge& e = graph.edges[edge];
-  return error(e, graph.vertices[e.from].pose, graph.vertices[e.to].pose);
-}
 
 /// A configuration whose every cycle is solved to the end.
 inline FusionConfig thorough() {

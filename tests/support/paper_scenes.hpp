@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -78,28 +79,32 @@ struct LaneChangeScene {
   }
 };
 
-/// The features that one sighting of the vehicle gave.
+/// The features that one sighting of the vehicle gave: vertices of a WindowView.
 struct Sighting {
   VertexId keyframe = 0;
   VertexId left = 0;
   VertexId right = 0;
 };
 
-inline std::vector<Sighting> sightings(const SlidingWindow& window) {
+/// From old to new.
+inline std::vector<Sighting> sightings(const WindowView& view) {
   std::vector<Sighting> result;
-  for (const std::size_t i : edges_of(window, EdgeKind::measurement)) {
-    if (window.origin(i).source != Source::objects) continue;
-    const Edge& edge = window.graph().edges[i];
-    if (window.origin(i).side == Side::left) result.push_back({edge.from, edge.to, edge.to});
-    if (window.origin(i).side == Side::right) result.back().right = edge.to;
+  for (const std::size_t i : view.edges_of(EdgeKind::measurement)) {
+    if (view.origin(i).source != Source::objects) continue;
+    const Edge& edge = view.edge(i);
+    const auto same = std::find_if(result.begin(), result.end(),
+                                   [&](const Sighting& s) { return s.keyframe == edge.from; });
+    Sighting& sighting = same == result.end() ? result.emplace_back(Sighting{edge.from, 0, 0}) : *same;
+    (view.feature(edge.to).side == Side::left ? sighting.left : sighting.right) = edge.to;
   }
+  std::sort(result.begin(), result.end(),
+            [](const Sighting& a, const Sighting& b) { return a.keyframe < b.keyframe; });
   return result;
 }
 
 /// The distance of a sighting's two features across the road.
-inline double width_of(const SlidingWindow& window, const Sighting& sighting) {
-  const auto& vertices = window.graph().vertices;
-  return (vertices[sighting.left].pose.inverse() * vertices[sighting.right].pose).position().norm();
+inline double width_of(const WindowView& view, const Sighting& sighting) {
+  return (view.vertex(sighting.left).pose.inverse() * view.vertex(sighting.right).pose).position().norm();
 }
 
 }  // namespace lanefuse::testing
