@@ -17,6 +17,7 @@
 #include "cli/run_sidecar.hpp"
 #include "cli/window_dump.hpp"
 #include "core/error.hpp"
+#include "pipeline/graph_estimator.hpp"
 #include "pipeline/perception.hpp"
 #include "recording/drive_reader.hpp"
 #include "recording/lanes_writer.hpp"
@@ -197,7 +198,8 @@ int run(const RunOptions& options) {
   std::optional<WindowDump> windows;
   if (options.graph_folder) {
     windows.emplace(*options.graph_folder, options.force);
-    perception.on_window([&windows](const PoseGraph& window) { windows->write(window); });
+    auto& estimator = dynamic_cast<GraphEstimator&>(perception.estimator());  // the only one there is
+    estimator.on_window([&windows](const PoseGraph& window) { windows->write(window); });
   }
   LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
   Stopwatch watch;
