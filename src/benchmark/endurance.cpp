@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/perception.hpp"
 #include "simulation/drive_simulation.hpp"
 #include "simulation/preset.hpp"
 
@@ -85,7 +86,8 @@ void drive_endurance(const EnduranceConfig& config, double stretch_hours, const 
   PerceptionConfig perception_config = default_config(WitnessRule::radar_and_camera);
   perception_config.cycle_hz = config.cycle_hz;
   MultiLanePerception perception(perception_config, simulation.rig());
-  if (solver) perception.use_solver(std::move(solver));
+  // The only estimator there is.
+  if (solver) dynamic_cast<GraphEstimator&>(perception.estimator()).use_solver(std::move(solver));
   StretchLog log(stretch_hours * 3600 * config.cycle_hz + 2);
   std::optional<Time> start;
   std::uint64_t stretches = 0;

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/lane_estimate.hpp"
-#include "pipeline/perception.hpp"
+#include "pipeline/graph_estimator.hpp"
 #include "simulation/road.hpp"
 #include "simulation/scenario.hpp"
 
