@@ -66,6 +66,57 @@ class StretchLog {
   EnduranceStretch stretch_;
 };
 
+/// One solver's perception of the drive.
+class Contender {
+ public:
+  Contender(const EnduranceConfig& config, double stretch_hours, const Rig& rig,
+            std::unique_ptr<WindowSolver> solver)
+      : perception_(perception_config(config), rig),
+        log_(stretch_hours * 3600 * config.cycle_hz + 2),
+        stretch_hours_(stretch_hours) {
+    // The only estimator there is.
+    if (solver) dynamic_cast<GraphEstimator&>(perception_.estimator()).use_solver(std::move(solver));
+  }
+
+  void add(const Measurement& measurement) { perception_.add(measurement); }
+
+  /// Runs the next cycle if it is due; false if none is.
+  bool advance(Time now, const MachineGauges& gauges) {
+    const double wall = gauges.wall_ms();
+    const double cpu = gauges.cpu_ms();
+    const LaneEstimate* lanes = perception_.advance(now);
+    if (!lanes) return false;
+    log_.add(gauges.wall_ms() - wall, gauges.cpu_ms() - cpu, *lanes, perception_.debug().graph);
+    if (!start_) start_ = lanes->time;
+    hours_ = to_seconds(lanes->time - *start_) / 3600;
+    return true;
+  }
+
+  [[nodiscard]] double hours() const { return hours_; }  ///< driven so far
+  [[nodiscard]] bool has_stretch() const {
+    return hours_ >= static_cast<double>(stretches_ + 1) * stretch_hours_;
+  }
+  [[nodiscard]] bool has_rest() const { return !log_.empty(); }
+  EnduranceStretch finish(const MachineGauges& gauges) {
+    ++stretches_;
+    return log_.finish(hours_, gauges.resident_mb());
+  }
+
+ private:
+  static PerceptionConfig perception_config(const EnduranceConfig& config) {
+    PerceptionConfig result = default_config(WitnessRule::radar_and_camera);
+    result.cycle_hz = config.cycle_hz;
+    return result;
+  }
+
+  MultiLanePerception perception_;
+  StretchLog log_;
+  double stretch_hours_;
+  std::optional<Time> start_;
+  std::uint64_t stretches_ = 0;
+  double hours_ = 0;
+};
+
 SimulationConfig simulation_of(const EnduranceConfig& config) {
   SimulationConfig simulation;
   simulation.seed = config.seed;
@@ -80,42 +131,37 @@ SimulationConfig simulation_of(const EnduranceConfig& config) {
 }  // namespace
 
 void drive_endurance(const EnduranceConfig& config, double stretch_hours, const MachineGauges& gauges,
-                     std::unique_ptr<WindowSolver> solver,
+                     std::vector<std::unique_ptr<WindowSolver>> solvers,
                      const std::function<void(const EnduranceStretch&)>& take) {
   DriveSimulation simulation(simulation_of(config), nominal_preset());
-  PerceptionConfig perception_config = default_config(WitnessRule::radar_and_camera);
-  perception_config.cycle_hz = config.cycle_hz;
-  MultiLanePerception perception(perception_config, simulation.rig());
-  // The only estimator there is.
-  if (solver) dynamic_cast<GraphEstimator&>(perception.estimator()).use_solver(std::move(solver));
-  StretchLog log(stretch_hours * 3600 * config.cycle_hz + 2);
-  std::optional<Time> start;
-  std::uint64_t stretches = 0;
-  double hours = 0;
-  const auto run_cycles = [&](Time now) {
-    while (hours < config.hours) {
-      const double wall = gauges.wall_ms();
-      const double cpu = gauges.cpu_ms();
-      const LaneEstimate* lanes = perception.advance(now);
-      if (!lanes) return;
-      log.add(gauges.wall_ms() - wall, gauges.cpu_ms() - cpu, *lanes, perception.debug().graph);
-      if (!start) start = lanes->time;
-      hours = to_seconds(lanes->time - *start) / 3600;
-      if (hours < static_cast<double>(stretches + 1) * stretch_hours) continue;
-      ++stretches;
-      take(log.finish(hours, gauges.resident_mb()));
-    }
+  std::vector<std::unique_ptr<Contender>> contenders;
+  for (auto& solver : solvers)
+    contenders.push_back(
+        std::make_unique<Contender>(config, stretch_hours, simulation.rig(), std::move(solver)));
+  const auto hand_over = [&](std::size_t which) {
+    EnduranceStretch stretch = contenders[which]->finish(gauges);
+    stretch.solver = which;
+    take(stretch);
   };
   std::vector<Measurement> measurements;
   std::vector<TrueFrame> truth;
-  for (bool more = true; more && hours < config.hours;) {
+  for (bool more = true; more && contenders.front()->hours() < config.hours;) {
     more = simulation.step(measurements, truth);
     for (const Measurement& measurement : measurements) {
-      run_cycles(stamp_of(measurement).received_at);
-      perception.add(measurement);
+      for (bool ran = true; ran;) {
+        ran = false;
+        for (const auto& contender : contenders)
+          ran |= contender->advance(stamp_of(measurement).received_at, gauges);
+      }
+      for (std::size_t c = 0; c < contenders.size(); ++c) {
+        if (contenders[c]->has_stretch()) hand_over(c);
+        contenders[c]->add(measurement);
+      }
     }
   }
-  if (!log.empty()) take(log.finish(hours, gauges.resident_mb()));
+  for (std::size_t c = 0; c < contenders.size(); ++c) {
+    if (contenders[c]->has_rest()) hand_over(c);
+  }
 }
 
 }  // namespace lanefuse

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "core/lane_estimate.hpp"
 #include "pipeline/graph_estimator.hpp"
@@ -30,9 +31,10 @@ struct MachineGauges {
   std::function<double()> resident_mb;  ///< memory of this process
 };
 
-/// A stretch of the drive.
+/// A stretch of the drive, with one of the solvers.
 struct EnduranceStretch {
-  double end_hours = 0;  ///< of the drive
+  std::size_t solver = 0;  ///< which of those that were given
+  double end_hours = 0;    ///< of the drive
   std::uint64_t cycles = 0;
   std::uint64_t not_ok = 0;                   ///< cycles whose estimate was not OK
   double p50_ms = 0, p99_ms = 0, max_ms = 0;  ///< a cycle, wall clock
@@ -42,10 +44,11 @@ struct EnduranceStretch {
   InputAccounting inputs;
 };
 
-/// Drives, and hands over each stretch of `stretch_hours` when it is done. With `solver`, windows are solved
-/// by that one instead of ours.
+/// Drives, and hands over each stretch of `stretch_hours` when it is done, once a solver. All solvers (null:
+/// ours) have a perception of their own, which gets the same measurements; they take turns cycle by cycle, so
+/// that whatever else the machine does falls on all of them.
 void drive_endurance(const EnduranceConfig& config, double stretch_hours, const MachineGauges& gauges,
-                     std::unique_ptr<WindowSolver> solver,
+                     std::vector<std::unique_ptr<WindowSolver>> solvers,
                      const std::function<void(const EnduranceStretch&)>& take);
 
 }  // namespace lanefuse

@@ -27,8 +27,11 @@ void add_endurance(CLI::App& bench, CommandLine& line) {
       ->check(CLI::Range(0.05, 1440.0));
   command.add_option("--seed", options.seed, "of the drive")->capture_default_str();
   command.add_option("--scenario", options.scenario, "as in simulate")->capture_default_str();
-  command.add_option("--solver", options.solver, "of the graph: lanefuse, direct, ceres, ceres:SETTING")
-      ->capture_default_str();
+  command
+      .add_option("--beside", options.beside,
+                  "another solver that gets the same drive: direct, ceres, ceres:SETTING; may be repeated")
+      ->expected(1)
+      ->take_all();
   command.add_flag("--detections", options.detections, "raw detections instead of object lists");
   finish(command, line, options, bench_endurance);
 }

@@ -40,8 +40,9 @@ double resident_mb() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024 * 1024);
 }
 
-Json to_json(const EnduranceStretch& s) {
+Json to_json(const EnduranceStretch& s, const std::string& solver) {
   return {
+      {"solver", solver},
       {"hours", s.end_hours},
       {"cycles", s.cycles},
       {"not_ok", s.not_ok},
@@ -52,10 +53,10 @@ Json to_json(const EnduranceStretch& s) {
       {"inputs", {{"used", s.inputs.used}, {"rejected", s.inputs.rejected}, {"dropped", s.inputs.dropped}}}};
 }
 
-void print_row(const EnduranceStretch& s) {
-  fmt::print("{:>7.2f}{:>9}{:>8}{:>9.2f}{:>8.2f}{:>8.2f}{:>10.2f}{:>9.2f}{:>9.1f}{:>7}{:>10}{:>8}\n",
-             s.end_hours, s.cycles, s.not_ok, s.p50_ms, s.p99_ms, s.max_ms, s.cpu_p99_ms, s.cpu_max_ms,
-             s.resident_mb, s.largest.poses, s.largest.features, s.largest.edges);
+void print_row(const EnduranceStretch& s, const std::string& solver) {
+  fmt::print("{:<24}{:>7.2f}{:>9}{:>8}{:>9.2f}{:>8.2f}{:>8.2f}{:>10.2f}{:>9.2f}{:>9.1f}{:>7}{:>10}{:>8}\n",
+             solver, s.end_hours, s.cycles, s.not_ok, s.p50_ms, s.p99_ms, s.max_ms, s.cpu_p99_ms,
+             s.cpu_max_ms, s.resident_mb, s.largest.poses, s.largest.features, s.largest.edges);
   std::fflush(stdout);
 }
 
@@ -70,16 +71,22 @@ int bench_endurance(const EnduranceOptions& options) {
   if (options.scenario != "nominal") config.scenario = find_scenario(options.scenario);
   Json rows = Json::array();
   if (!options.json) {
-    fmt::print("{:>7}{:>9}{:>8}{:>9}{:>8}{:>8}{:>10}{:>9}{:>9}{:>7}{:>10}{:>8}\n", "hours", "cycles",
-               "not OK", "p50 ms", "p99", "max", "cpu p99", "max", "MB", "poses", "features", "edges");
+    fmt::print("{:<24}{:>7}{:>9}{:>8}{:>9}{:>8}{:>8}{:>10}{:>9}{:>9}{:>7}{:>10}{:>8}\n", "solver", "hours",
+               "cycles", "not OK", "p50 ms", "p99", "max", "cpu p99", "max", "MB", "poses", "features",
+               "edges");
   }
-  auto solver = options.solver == "lanefuse" ? nullptr : make_window_solver(make_solver(options.solver));
-  drive_endurance(config, options.report_minutes / 60, {wall_ms, cpu_ms, resident_mb}, std::move(solver),
+  std::vector<std::string> names{"lanefuse"};
+  std::vector<std::unique_ptr<WindowSolver>> solvers(1);
+  for (const std::string& name : options.beside) {
+    names.push_back(name);
+    solvers.push_back(make_window_solver(make_solver(name)));
+  }
+  drive_endurance(config, options.report_minutes / 60, {wall_ms, cpu_ms, resident_mb}, std::move(solvers),
                   [&](const EnduranceStretch& stretch) {
-                    rows.push_back(to_json(stretch));
-                    if (!options.json) print_row(stretch);
+                    rows.push_back(to_json(stretch, names[stretch.solver]));
+                    if (!options.json) print_row(stretch, names[stretch.solver]);
                   });
-  if (options.json) fmt::print("{}\n", Json{{"solver", options.solver}, {"stretches", rows}}.dump());
+  if (options.json) fmt::print("{}\n", Json{{"stretches", rows}}.dump());
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace lanefuse {
 
@@ -14,14 +15,14 @@ struct EnduranceOptions {
   double report_minutes = 60;  ///< of the drive, between lines
   std::uint64_t seed = 1;
   std::string scenario = "nominal";
-  std::string solver = "lanefuse";  ///< of the graph: see make_solver()
+  std::vector<std::string> beside;  ///< other solvers of the graph that get the same drive: see make_solver()
   bool detections = false;
   bool json = false;
   bool force = false;
 };
 
 /// Simulates and fuses a long drive in this process, stores nothing, and prints for each stretch what a cycle
-/// took and how much memory is held.
+/// took and how much memory is held; with other solvers beside it, how many times as long theirs take.
 int bench_endurance(const EnduranceOptions& options);
 
 }  // namespace lanefuse
