@@ -15,6 +15,7 @@ test:
 
 bench: build
 	@set -e; for program in build/release/bench_*; do "$$program"; done
+	tools/bench-graphs.sh
 
 lint:
 	tools/lint.sh

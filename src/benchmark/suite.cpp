@@ -64,8 +64,11 @@ std::vector<BenchmarkScene> scenes_of(const SuiteChoice& choice, const Suite& su
 
 std::vector<std::string> variants_of(const SuiteChoice& choice, const Suite& suite) {
   const std::string variant = choice.variant.value_or(suite.variant);
-  if (variant == kAll) return variant_names();
-  return {std::string(find_variant(variant).name)};
+  std::vector<std::string> names = variant_names();
+  if (variant != kAll) names = {std::string(find_variant(variant).name)};
+  const std::string detections(kDetectionsVariant);
+  if (choice.detections && names.back() != detections) names.push_back(detections);
+  return names;
 }
 
 void demand_seed(bool holds, const std::string& text) {

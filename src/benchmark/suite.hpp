@@ -17,6 +17,7 @@ struct SuiteChoice {
   std::optional<std::string> road;     ///< gentle, curved or all
   std::optional<std::string> scene;    ///< only this one
   std::optional<std::string> variant;  ///< only this one, or all
+  bool detections = false;             ///< each drive once more, on raw detections
   std::vector<std::uint64_t> seeds{1};
   std::optional<double> km;  ///< of each drive
   std::string estimator = "graph";

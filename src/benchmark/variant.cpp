@@ -27,6 +27,11 @@ constexpr std::array<Variant, 7> kVariants{{
     {"no-switches", "smoothing edges that cannot switch off", kNothing, "fusion.switchable=false"},
 }};
 
+/// No piece less, but other input: apart from the ablations, which are driven all together.
+constexpr Variant kDetections{kDetectionsVariant,
+                              "radars' and a camera's detections in place of the object list",
+                              [](SimulationConfig& c) { c.detections = true; }, ""};
+
 }  // namespace
 
 std::span<const Variant> variants() { return kVariants; }
@@ -39,6 +44,7 @@ std::vector<std::string> variant_names() {
 }
 
 const Variant& find_variant(std::string_view name) {
+  if (name == kDetections.name) return kDetections;
   const auto found = std::find_if(kVariants.begin(), kVariants.end(),
                                   [name](const Variant& variant) { return variant.name == name; });
   if (found == kVariants.end()) {

@@ -20,7 +20,10 @@ struct Variant {
   std::string_view setting;              ///< "key=value" of the pipeline; empty for none
 };
 
-/// Every variant; the first is the full system. A new ablation is a line here.
+/// The full system on raw detections, from which it makes its tracks itself; it is not among variants().
+inline constexpr std::string_view kDetectionsVariant = "detections";
+
+/// Every ablation; the first is the full system. A new ablation is a line here.
 std::span<const Variant> variants();
 std::vector<std::string> variant_names();
 

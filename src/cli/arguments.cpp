@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/command_line.hpp"
-#include "cli/graph_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/run_command.hpp"
 #include "cli/strip_command.hpp"
@@ -27,6 +26,11 @@ void add_run(CommandLine& line) {
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
+  command.add_option("--solver", options.solver,
+                     "another solver for the graph, for comparison: direct, ceres, ceres:SETTING")
+      ->capture_default_str();
+  command.add_option("--dump-graphs", options.graph_folder,
+                     "a folder for each cycle's graph before it is solved (000000.g2o, ...)");
   command.add_option("--set", options.assignments, "one setting, KEY=VALUE, over the file; may be repeated")
       ->expected(1)
       ->take_all();
@@ -46,12 +50,16 @@ void add_run(CommandLine& line) {
 
 void add_plot(CommandLine& line) {
   auto& options = line.make<PlotOptions>();
-  CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above");
+  CLI::App& command = *line.app.add_subcommand("plot", "draw one moment from above, or all tracks over time");
   command.add_option("lanes", options.lanes, "the estimated lanes (.mcap)")->required();
-  command.add_option("--at", options.at, "seconds since the first cycle")
-      ->capture_default_str()
-      ->check(not_negative);
-  command.add_option("--drive", options.drive, "the drive with the truth, if it is not where run found it");
+  CLI::Option* at = command.add_option("--at", options.at, "seconds since the first cycle")
+                        ->capture_default_str()
+                        ->check(not_negative);
+  CLI::Option* drive = command.add_option("--drive", options.drive,
+                                          "the drive with the truth, if it is not where run found it");
+  command.add_flag("--tracks", options.tracks, "draw the tracked vehicles of the whole drive over time")
+      ->excludes(at)
+      ->excludes(drive);
   command.add_option("-o,--output", options.output, "the picture to write (.svg)")->required();
   finish(command, line, options, plot);
 }
@@ -62,22 +70,6 @@ void add_strip(CommandLine& line) {
   command.add_option("drive", options.drive, "the recorded drive (.mcap)")->required();
   command.add_option("-o,--output", options.output, "the copy to write (.mcap)")->required();
   finish(command, line, options, strip);
-}
-
-void add_graph(CommandLine& line) {
-  auto& options = line.make<GraphSolveOptions>();
-  CLI::App& graph = *line.app.add_subcommand("graph", "planar pose graphs, of lanes or of anything");
-  demand_subcommand(graph);
-  CLI::App& command = *graph.add_subcommand("solve", "find the optimum of a .g2o file");
-  command.add_option("file", options.file, "the graph (.g2o: VERTEX_SE2, EDGE_SE2, FIX)")->required();
-  command.add_option("-o,--output", options.output, "the solved graph to write (.g2o)");
-  command.add_option("--max-iterations", options.max_iterations, "Gauss-Newton iterations at most")
-      ->capture_default_str();
-  command.add_flag("--switchable", options.switchable, "let every loop closure switch off");
-  finish(command, line, options, [](const GraphSolveOptions& o) {
-    graph_solve(o);
-    return 0;
-  });
 }
 
 }  // namespace
@@ -106,6 +98,7 @@ std::function<int()> parse_arguments(int argc, char** argv) {
   add_strip(*line);
   add_graph(*line);
   add_benchmark(*line);
+  add_bench(*line);
   add_map(*line);
   add_calibrate(*line);
   try {

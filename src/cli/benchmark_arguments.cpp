@@ -32,6 +32,9 @@ void add_drives(CLI::App& command, BenchmarkOptions& options) {
   command.add_option("--km", choice.km, "length of a drive [km], if not the suite's own")
       ->check(CLI::Range(0.05, 1000.0));
   command.add_option("--variant", choice.variant, listed("all, or only this variant", variant_names()));
+  command.add_flag("--detections", choice.detections,
+                   "drive each once more with raw detections in place of the object list, as the variant "
+                   "'detections'");
   command.add_option("--estimator", choice.estimator, "what fuses: graph")->capture_default_str();
   command.add_option("--truth", choice.truth, "exact, or surveyed with the errors of the paper's own map")
       ->capture_default_str();

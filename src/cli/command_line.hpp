@@ -45,9 +45,11 @@ void finish(CLI::App& command, CommandLine& line, Options& options, Command run_
 }
 
 /// Subcommands that have a file of their own.
+void add_bench(CommandLine& line);
 void add_benchmark(CommandLine& line);
 void add_calibrate(CommandLine& line);
 void add_evaluate(CommandLine& line);
+void add_graph(CommandLine& line);
 void add_import(CommandLine& line);
 void add_map(CommandLine& line);
 void add_overlay(CommandLine& line);

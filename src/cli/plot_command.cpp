@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/plot_command.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,11 +12,43 @@
 #include "core/error.hpp"
 #include "drawing/svg.hpp"
 #include "drawing/top_view.hpp"
+#include "drawing/track_picture.hpp"
 
 namespace lanefuse {
+namespace {
+
+int plot_tracks(const PlotOptions& options) {
+  LanesReader reader(options.lanes);
+  TrackHistory history;
+  LaneRecord record;
+  std::optional<Time> first;
+  while (reader.next_without_features(record)) {
+    if (!first) first = record.estimate.time;
+    history.add(to_seconds(record.estimate.time - *first), record.objects);
+  }
+  const std::string title = fmt::format("Tracks of {}", reader.drive().name);
+  write_text(options.output, standalone_svg(draw_tracks(title, history)));
+  const std::vector<TrackedLife> lives = history.lives();
+  const auto witnesses = std::count_if(lives.begin(), lives.end(),
+                                       [](const TrackedLife& life) { return life.was(TrackRole::witness); });
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output.string()},
+                                              {"duration_s", history.duration()},
+                                              {"tracks", lives.size()},
+                                              {"witnesses", witnesses}}
+                           .dump());
+  } else {
+    fmt::print("{:.1f} s, {} tracks, {} of them witnesses at some time -> {}\n", history.duration(),
+               lives.size(), witnesses, options.output.string());
+  }
+  return 0;
+}
+
+}  // namespace
 
 int plot(const PlotOptions& options) {
   check_output(options.output, options.force, options.lanes);
+  if (options.tracks) return plot_tracks(options);
   LanesReader reader(options.lanes);
   const LanesAndTruth context = find_truth(options.lanes, options.drive);
   check_output(options.output, options.force, context.drive);

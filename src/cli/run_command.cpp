@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,9 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_sidecar.hpp"
+#include "cli/window_dump.hpp"
 #include "core/error.hpp"
+#include "peers/named_solver.hpp"
 #include "pipeline/perception.hpp"
 #include "recording/drive_reader.hpp"
 #include "recording/lanes_writer.hpp"
@@ -33,21 +36,20 @@ class Stopwatch {
  public:
   void begin_cycle() { cycle_begin_ = stage_begin_ = Clock::now(); }
   void end_stage(Stage stage) {
-    stages_[static_cast<std::size_t>(stage)] += milliseconds_since(stage_begin_);
+    stages_[static_cast<std::size_t>(stage)].push_back(milliseconds_since(stage_begin_));
     stage_begin_ = Clock::now();
   }
   void end_cycle() { cycles_.push_back(milliseconds_since(cycle_begin_)); }
 
   [[nodiscard]] const std::vector<double>& cycles() const { return cycles_; }
-  [[nodiscard]] double mean(Stage stage) const {
-    return cycles_.empty() ? 0
-                           : stages_[static_cast<std::size_t>(stage)] / static_cast<double>(cycles_.size());
+  [[nodiscard]] const std::vector<double>& stage(Stage stage) const {
+    return stages_[static_cast<std::size_t>(stage)];
   }
 
  private:
   Clock::time_point cycle_begin_;
   Clock::time_point stage_begin_;
-  std::array<double, kStageCount> stages_{};
+  std::array<std::vector<double>, kStageCount> stages_;
   std::vector<double> cycles_;
 };
 
@@ -105,7 +107,9 @@ PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {
 void print_json(const RunTotals& totals, const Stopwatch& watch, const PerceptionConfig& config) {
   nlohmann::ordered_json stages;
   for (int s = 0; s < kStageCount; ++s)
-    stages[to_string(static_cast<Stage>(s))] = watch.mean(static_cast<Stage>(s));
+    stages[to_string(static_cast<Stage>(s))] = {
+        {"p50", percentile(watch.stage(static_cast<Stage>(s)), 0.5)},
+        {"p99", percentile(watch.stage(static_cast<Stage>(s)), 0.99)}};
   nlohmann::ordered_json json{
       {"cycles", totals.cycles},
       {"duration_s", totals.duration()},
@@ -192,6 +196,12 @@ int run(const RunOptions& options) {
   }
 
   MultiLanePerception perception(config, reader.rig());
+  if (options.solver != "lanefuse") perception.use_solver(make_window_solver(make_solver(options.solver)));
+  std::optional<WindowDump> windows;
+  if (options.graph_folder) {
+    windows.emplace(*options.graph_folder, options.force);
+    perception.on_window([&windows](const WindowGraph& window) { windows->write(window); });
+  }
   LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
   Stopwatch watch;
   RunTotals totals;

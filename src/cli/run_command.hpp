@@ -14,6 +14,9 @@ struct RunOptions {
   std::filesystem::path drive;
   std::filesystem::path output;
   std::optional<std::filesystem::path> config;
+  std::optional<std::filesystem::path>
+      graph_folder;                      ///< where each cycle's graph goes, as numbered .g2o files
+  std::string solver = "lanefuse";       ///< of the graph, for comparison: see make_solver()
   std::vector<std::string> assignments;  ///< "key=value", over the file
   bool print_config = false;             ///< print the whole configuration instead of running
   bool json = false;

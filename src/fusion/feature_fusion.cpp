@@ -81,6 +81,7 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
   for (const FeatureSet& set : cycle.features) add_set(set, cycle, result.features);
   stage_done(Stage::association);
 
+  if (window_listener_) window_listener_(window_.graph());
   result.solve = solver_->solve(window_.graph(), config_.solver);
   read_out();
   stage_done(Stage::solve);

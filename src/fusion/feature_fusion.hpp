@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/estimator.hpp"
@@ -32,6 +34,14 @@ class FeatureFusion {
  public:
   /// `config` must outlive the fusion.
   FeatureFusion(const FusionConfig& config, std::unique_ptr<WindowSolver> solver);
+
+  /// Is shown the window of each cycle right before it is solved: the newest keyframe fixed, all others and
+  /// the features where the last cycle left them.
+  using WindowListener = std::function<void(const WindowGraph&)>;
+  void on_window(WindowListener listener) { window_listener_ = std::move(listener); }
+
+  /// From the next cycle on.
+  void use_solver(std::unique_ptr<WindowSolver> solver) { solver_ = std::move(solver); }
 
   FusionResult process(const Cycle& cycle, const LaneEstimator::StageListener& stage_done);
 
@@ -70,6 +80,7 @@ class FeatureFusion {
 
   const FusionConfig& config_;
   std::unique_ptr<WindowSolver> solver_;
+  WindowListener window_listener_;
   SlidingWindow window_;
   FeatureAssociation association_;
   Pose2 odometry_from_vehicle_;  ///< at the cycle's time

@@ -7,7 +7,7 @@
 
 namespace lanefuse {
 
-void BlockStructure::compute(const PoseGraph& graph, const EliminationOrder& order) {
+void BlockStructure::compute(const PoseGraph& graph, const EliminationOrder& order, const WeakTerms& weak) {
   landmarks_ = order.landmarks();
   columns_.assign(order.blocks(), {});
   rows_.clear();
@@ -17,7 +17,7 @@ void BlockStructure::compute(const PoseGraph& graph, const EliminationOrder& ord
   if (poses_are_dense()) {
     add_dense_pose_columns();
   } else {
-    add_sparse_pose_columns(graph, order);
+    add_sparse_pose_columns(graph, order, weak);
   }
   updates_.clear();
   runs_.clear();
@@ -48,10 +48,13 @@ void BlockStructure::add_dense_pose_columns() {
   value_count_ = pose_values_ + std::size_t{side} * side;
 }
 
-void BlockStructure::add_sparse_pose_columns(const PoseGraph& graph, const EliminationOrder& order) {
+void BlockStructure::add_sparse_pose_columns(const PoseGraph& graph, const EliminationOrder& order,
+                                             const WeakTerms& weak) {
   pose_rows_.resize(poses());
   for (std::uint32_t j = 0; j < poses(); ++j) pose_rows_[j].assign(1, landmarks_ + j);
-  for (const Edge& edge : graph.edges) {
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    if (weak.joins_nothing(i)) continue;
+    const Edge& edge = graph.edges[i];
     const auto [a, b] = std::minmax({order.block(edge.from), order.block(edge.to)});
     if (a >= landmarks_ && b != kHeld) pose_rows_[a - landmarks_].push_back(b);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/elimination_order.hpp"
+#include "graph/weak_terms.hpp"
 
 namespace lanefuse {
 
@@ -41,12 +42,15 @@ class BlockStructure {
     std::size_t runs = 0;      ///< its first run; the next update's is past its last
   };
 
-  void compute(const PoseGraph& graph, const EliminationOrder& order);
+  /// Where there are many poses, those that only `weak` terms join share no block.
+  void compute(const PoseGraph& graph, const EliminationOrder& order, const WeakTerms& weak = {});
 
   [[nodiscard]] std::uint32_t landmarks() const { return landmarks_; }
   [[nodiscard]] std::uint32_t blocks() const { return static_cast<std::uint32_t>(columns_.size()); }
   [[nodiscard]] std::uint32_t poses() const { return blocks() - landmarks_; }
-  [[nodiscard]] bool poses_are_dense() const { return poses() <= kMostDensePoses; }
+  [[nodiscard]] bool poses_are_dense() const { return is_dense(poses()); }
+  /// Whether so many poses are laid out as one dense square.
+  [[nodiscard]] static bool is_dense(std::uint32_t poses) { return poses <= kMostDensePoses; }
   [[nodiscard]] std::size_t value_count() const { return value_count_; }
   [[nodiscard]] std::size_t pose_values() const { return pose_values_; }  ///< where the poses' part begins
 
@@ -69,7 +73,7 @@ class BlockStructure {
 
   void add_landmark_columns(const EliminationOrder& order);
   void add_dense_pose_columns();
-  void add_sparse_pose_columns(const PoseGraph& graph, const EliminationOrder& order);
+  void add_sparse_pose_columns(const PoseGraph& graph, const EliminationOrder& order, const WeakTerms& weak);
   void add_updates(std::uint32_t landmark);
   void add_runs(std::span<const std::uint32_t> sources, std::uint32_t first,
                 std::span<const std::uint32_t> targets);

@@ -26,10 +26,13 @@ struct G2oGraph {
 ///     VERTEX_SE2 id x y heading
 ///     EDGE_SE2 from to x y heading xx xy xh yy yh hh         measurement, upper triangle of the information
 ///     FIX id ...                                             held vertices; without such a line the lowest
-///     id is held VERTEX_SWITCH id value                                 a switch variable
+///                                                            id is held
+///     VERTEX_SWITCH id value                                 a switch variable
 ///     EDGE_SE2_SWITCHABLE from to switch x y heading xx ...  an edge it switches, as s e: the *squared*
-///     SwitchForm EDGE_SWITCH_PRIOR switch 1 information                 its prior, which every switch must
-///     have
+///                                                            SwitchForm
+///     EDGE_SWITCH_PRIOR switch 1 information                 its prior, which every switch must have
+///
+/// TORO's VERTEX2 and EDGE2 (`write_toro`) are taken as well.
 ///
 /// Vertices that edges name but no line places are placed along the edges (`place_along_edges`). The text has
 /// no word for landmarks: they are told by `tell_landmarks`.
@@ -40,6 +43,10 @@ struct G2oGraph {
 /// that nothing stands behind.
 G2oGraph read_g2o(const std::filesystem::path& file);
 G2oGraph read_g2o(std::istream& text, const std::string& name);
+
+/// Gives switches that were added after reading ids that neither a vertex nor a switch has. (Where they are
+/// missing altogether, the writer counts on from the vertices.)
+void number_new_switches(G2oGraph& graph);
 
 /// Writes what `read_g2o` reads back to the last bit: each number in its shortest form that does so.
 void write_g2o(std::ostream& out, const G2oGraph& graph);

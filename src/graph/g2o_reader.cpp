@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 #include <unordered_map>
@@ -33,6 +34,16 @@ struct Mention {
   bool given = false;  ///< whether its own line has come
 };
 
+/// The order in which an edge's line gives its information.
+using InformationOrder = std::array<std::pair<int, int>, 6>;
+constexpr InformationOrder kByRows{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+constexpr InformationOrder kAsInToro{{{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}}};
+
+struct EdgeWords {
+  bool switched;
+  const InformationOrder& information;
+};
+
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {}
@@ -43,7 +54,7 @@ class Reader {
   using Mentions = std::unordered_map<std::int64_t, Mention>;
 
   void read_vertex(G2oLine& line);
-  void read_edge(G2oLine& line, bool switched);
+  void read_edge(G2oLine& line, const EdgeWords& words);
   void read_fix(G2oLine& line);
   void read_switch(G2oLine& line);
   void read_prior(G2oLine& line);
@@ -66,21 +77,24 @@ void Reader::read_line(const std::string& text) {
   G2oLine line(text, file_, line_number_);
   const std::string_view tag = line.word();
   if (tag.empty()) return;
-  if (tag == "VERTEX_SE2") {
+  if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
     read_vertex(line);
   } else if (tag == "EDGE_SE2") {
-    read_edge(line, false);
+    read_edge(line, {false, kByRows});
+  } else if (tag == "EDGE2") {
+    read_edge(line, {false, kAsInToro});
   } else if (tag == "FIX") {
     read_fix(line);
   } else if (tag == "VERTEX_SWITCH") {
     read_switch(line);
   } else if (tag == "EDGE_SE2_SWITCHABLE") {
-    read_edge(line, true);
+    read_edge(line, {true, kByRows});
   } else if (tag == "EDGE_SWITCH_PRIOR") {
     read_prior(line);
   } else {
-    throw line.error("unknown tag " + shown(tag),
-                     "only planar pose graphs (VERTEX_SE2, EDGE_SE2, FIX, switches) are read");
+    throw line.error(
+        "unknown tag " + shown(tag),
+        "only planar pose graphs (VERTEX_SE2, EDGE_SE2, FIX, switches; VERTEX2, EDGE2) are read");
   }
   line.finish();
 }
@@ -118,7 +132,7 @@ void Reader::read_vertex(G2oLine& line) {
   pose.heading = wrap_angle(line.number());
 }
 
-void Reader::read_edge(G2oLine& line, bool switched) {
+void Reader::read_edge(G2oLine& line, const EdgeWords& words) {
   Edge edge;
   const std::int64_t from = line.id();
   const std::int64_t to = line.id();
@@ -126,13 +140,12 @@ void Reader::read_edge(G2oLine& line, bool switched) {
   edge.from = vertex(from).index;
   edge.to = vertex(to).index;
   used_by_edge_[edge.from] = used_by_edge_[edge.to] = true;
-  if (switched) edge.switch_index = switch_variable(line.id()).index;
+  if (words.switched) edge.switch_index = switch_variable(line.id()).index;
   edge.measurement.x = line.number();
   edge.measurement.y = line.number();
   edge.measurement.heading = wrap_angle(line.number());
-  for (int r = 0; r < 3; ++r) {
-    for (int c = r; c < 3; ++c) edge.information(r, c) = edge.information(c, r) = line.number();
-  }
+  for (const auto& [r, c] : words.information)
+    edge.information(r, c) = edge.information(c, r) = line.number();
   if (!is_positive_semidefinite(edge.information)) {
     throw line.error("the information matrix is not positive semi-definite");
   }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -32,6 +33,13 @@ std::string edge_line(const G2oGraph& g, const Edge& edge) {
 }
 
 }  // namespace
+
+void number_new_switches(G2oGraph& g) {
+  std::int64_t next = static_cast<std::int64_t>(g.graph.vertices.size());
+  for (const std::int64_t id : g.vertex_ids) next = std::max(next, id + 1);
+  for (const std::int64_t id : g.switch_ids) next = std::max(next, id + 1);
+  while (g.switch_ids.size() < g.graph.switches.size()) g.switch_ids.push_back(next++);
+}
 
 void write_g2o(std::ostream& out, const G2oGraph& g) {
   const PoseGraph& graph = g.graph;

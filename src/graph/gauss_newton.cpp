@@ -11,6 +11,7 @@
 #include "graph/pose_system.hpp"
 #include "graph/solver.hpp"
 #include "graph/soundness.hpp"
+#include "graph/weak_terms.hpp"
 
 namespace lanefuse {
 
@@ -46,6 +47,7 @@ class SchurSolver final : public GraphSolver {
   SolveStatus iterate(const SolverConfig& config, SolveResult& result);
   std::optional<SolveStatus> advance(double tolerance, double& best_chi2);
   std::optional<SolveStatus> find_step();
+  void lay_out();
   void take_step();
   void return_to_best();
   void back_off();
@@ -53,7 +55,10 @@ class SchurSolver final : public GraphSolver {
   void write_back(PoseGraph& graph) const;
 
   EdgeTerms terms_;
+  const PoseGraph* graph_ = nullptr;  ///< during a solve
   EliminationOrder order_;
+  WeakTerms weak_;
+  bool is_laid_out_ = false;
   BlockStructure structure_;
   NormalEquations equations_;
   PoseSystem poses_;
@@ -84,14 +89,25 @@ void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
   damping_ = {};
   terms_.prepare(graph, config.switch_form);
   order_.compute(graph);
-  structure_.compute(graph, order_);
-  equations_.prepare(terms_, order_, structure_);
+  weak_.clear();
+  graph_ = &graph;
+  is_laid_out_ = false;
+}
+
+/// Works out where everything stands in the equations: at the start, and when weak terms have come or gone.
+void SchurSolver::lay_out() {
+  const bool has_many_poses = !BlockStructure::is_dense(order_.blocks() - order_.landmarks());
+  if (has_many_poses && weak_.update(terms_, order_)) is_laid_out_ = false;
+  if (is_laid_out_) return;
+  structure_.compute(*graph_, order_, weak_);
+  equations_.prepare(terms_, order_, structure_, weak_);
   poses_.prepare(structure_);
+  is_laid_out_ = true;
 }
 
 /// Leaves places_ at the best place found, evaluated last.
 SolveStatus SchurSolver::iterate(const SolverConfig& config, SolveResult& result) {
-  if (structure_.blocks() == 0) return SolveStatus::converged;
+  if (order_.blocks() == 0) return SolveStatus::converged;
   while (result.iterations < config.max_iterations) {
     ++result.iterations;
     if (const auto end = advance(config.relative_tolerance, result.final_chi2)) return *end;
@@ -126,6 +142,7 @@ std::optional<SolveStatus> SchurSolver::advance(double tolerance, double& best_c
 
 /// Puts the step in place of the equations' right hand side, or says why there is none.
 std::optional<SolveStatus> SchurSolver::find_step() {
+  lay_out();
   equations_.assemble(terms_, places_, damping_.value());
   if (!eliminate_landmarks(structure_, equations_) || !poses_.solve(equations_)) return SolveStatus::singular;
   substitute_landmarks(structure_, equations_);

@@ -29,13 +29,17 @@ class CopyingSolver final : public WindowSolver {
 class LaneGraphSolver final : public GraphSolver {
  public:
   SolveResult solve(PoseGraph& graph, const SolverConfig& config) override;
+  void prepare(const PoseGraph& graph, const SolverConfig& config) override;
+  SolveResult solve_prepared(PoseGraph& graph, const SolverConfig& config) override;
 
  private:
+  void read_places(const PoseGraph& graph);
   void write_back(PoseGraph& graph) const;
 
   ConjugateGradientSolver solver_;
   std::unique_ptr<GraphSolver> direct_ = make_schur_solver();
   WindowOfGraph copy_;
+  bool is_window_ = false;
 };
 
 SolveResult LaneGraphSolver::solve(PoseGraph& graph, const SolverConfig& config) {
@@ -44,14 +48,35 @@ SolveResult LaneGraphSolver::solve(PoseGraph& graph, const SolverConfig& config)
     result.status = *fault;
     return result;
   }
-  if (!to_window(graph, copy_)) {
+  prepare(graph, config);
+  return solve_prepared(graph, config);
+}
+
+void LaneGraphSolver::prepare(const PoseGraph& graph, const SolverConfig& /*config*/) {
+  is_window_ = to_window(graph, copy_);
+}
+
+SolveResult LaneGraphSolver::solve_prepared(PoseGraph& graph, const SolverConfig& config) {
+  if (!is_window_) {
     SolveResult result = direct_->solve(graph, config);
     result.fallback = SolveFallback::not_a_window;
     return result;
   }
+  read_places(graph);
   const SolveResult result = solver_.solve(copy_.window, config);
   if (result.ok()) write_back(graph);
   return result;
+}
+
+void LaneGraphSolver::read_places(const PoseGraph& graph) {
+  for (VertexId v = 0; v < graph.vertices.size(); ++v) {
+    const Vertex& vertex = graph.vertices[v];
+    if (vertex.role == VertexRole::pose || vertex.fixed) {
+      copy_.window.place_pose(copy_.vertices[v], vertex.pose);
+    } else {
+      copy_.window.place_landmark(copy_.vertices[v], vertex.pose);
+    }
+  }
 }
 
 void LaneGraphSolver::write_back(PoseGraph& graph) const {

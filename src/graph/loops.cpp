@@ -4,15 +4,11 @@
 
 namespace lanefuse {
 
-namespace {
-
 bool is_loop(const PoseGraph& graph, const Edge& edge) {
   const bool between_poses =
       graph.vertices[edge.from].role == VertexRole::pose && graph.vertices[edge.to].role == VertexRole::pose;
   return between_poses && edge.from + 1 != edge.to && edge.to + 1 != edge.from;
 }
-
-}  // namespace
 
 void make_loops_switchable(PoseGraph& graph, double prior) {
   for (Edge& edge : graph.edges) {

@@ -6,8 +6,10 @@
 
 namespace lanefuse {
 
-/// Gives every loop closure a switch of its own with this prior: every edge between poses whose places in the
-/// graph do not follow each other, unless it has a switch already.
+/// Whether an edge closes a loop: it leads between poses whose places in the graph do not follow each other.
+bool is_loop(const PoseGraph& graph, const Edge& edge);
+
+/// Gives every loop closure a switch of its own with this prior, unless it has one already.
 void make_loops_switchable(PoseGraph& graph, double prior);
 
 }  // namespace lanefuse

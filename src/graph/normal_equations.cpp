@@ -17,7 +17,7 @@ void add_block(double* values, std::size_t stride, const Eigen::Matrix3d& block)
 }  // namespace
 
 void NormalEquations::prepare(const EdgeTerms& terms, const EliminationOrder& order,
-                              const BlockStructure& structure) {
+                              const BlockStructure& structure, const WeakTerms& weak) {
   structure_ = &structure;
   targets_.clear();
   targets_.reserve(terms.terms().size());
@@ -34,7 +34,8 @@ void NormalEquations::prepare(const EdgeTerms& terms, const EliminationOrder& or
       target.to_stride = structure.column(target.to_block).stride;
     }
     const auto [first, second] = std::minmax(target.from_block, target.to_block);
-    if (second != kHeld) target.cross = structure.locate(first, second);
+    const bool is_left_out = second == kHeld || weak.joins_nothing(targets_.size());
+    target.cross = is_left_out ? kNowhere : structure.locate(first, second);
     targets_.push_back(target);
   }
   values.resize(structure.value_count());
@@ -79,7 +80,7 @@ void NormalEquations::add(const Target& target, const Symmetric3& information, c
   add_block(&values[target.from], target.from_stride, from_from);
   rhs.segment<3>(3 * target.from_block) +=
       Eigen::Vector3d(pull[0], pull[1], pull[2] + lever.dot(pull.head<2>()));
-  if (target.to_block == kHeld) return;
+  if (target.cross == kNowhere) return;
   if (target.from_block < target.to_block) {
     add_block(&values[target.cross], target.from_stride, -to_from);
   } else {

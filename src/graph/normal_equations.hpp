@@ -16,7 +16,8 @@ namespace lanefuse {
 class NormalEquations {
  public:
   /// Finds the place of every edge's blocks; the structure must outlive what follows.
-  void prepare(const EdgeTerms& terms, const EliminationOrder& order, const BlockStructure& structure);
+  void prepare(const EdgeTerms& terms, const EliminationOrder& order, const BlockStructure& structure,
+               const WeakTerms& weak = {});
 
   /// Sums up the equations at these places, where `terms` was evaluated last, and adds `damping` times H's
   /// diagonal.
@@ -27,10 +28,12 @@ class NormalEquations {
   Eigen::VectorXd diagonal;    ///< H's diagonal, damping included
 
  private:
+  static constexpr std::size_t kNowhere = ~std::size_t{0};
+
   struct Target {
-    std::size_t from = 0;   ///< value where the block of `from` with itself begins, or kNowhere
+    std::size_t from = 0;   ///< value where the block of `from` with itself begins
     std::size_t to = 0;     ///< the same of `to`
-    std::size_t cross = 0;  ///< the same of both together
+    std::size_t cross = 0;  ///< the same of both together, or kNowhere
     std::size_t from_stride = 0;
     std::size_t to_stride = 0;
     std::uint32_t from_block = kHeld;

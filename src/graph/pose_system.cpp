@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <Eigen/Cholesky>
-#include <Eigen/OrderingMethods>
 
 #include "graph/determinacy.hpp"
 
@@ -14,9 +13,9 @@ namespace lanefuse {
 void PoseSystem::prepare(const BlockStructure& structure) {
   structure_ = &structure;
   if (structure.poses_are_dense()) return;
-  order_poses();
   fill_pattern();
-  factor_.analyzePattern(matrix_);
+  factor_.prepare(supernodes_);
+  place_blocks();
 }
 
 bool PoseSystem::solve(NormalEquations& equations) {
@@ -40,75 +39,68 @@ bool PoseSystem::solve_dense(NormalEquations& equations) {
   return true;
 }
 
-void PoseSystem::order_poses() {
-  const auto poses = static_cast<int>(structure_->poses());
-  std::vector<Eigen::Triplet<double>> ties;
-  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
-    for (const std::uint32_t row : structure_->rows(structure_->landmarks() + pose)) {
-      ties.emplace_back(static_cast<int>(row - structure_->landmarks()), static_cast<int>(pose), 1.0);
+void PoseSystem::fill_pattern() {
+  const std::uint32_t landmarks = structure_->landmarks();
+  std::vector<std::vector<std::uint32_t>> neighbours(structure_->poses());
+  for (std::uint32_t pose = 0; pose < neighbours.size(); ++pose) {
+    for (const std::uint32_t row : structure_->rows(landmarks + pose)) {
+      if (row == landmarks + pose) continue;
+      neighbours[pose].push_back(row - landmarks);
+      neighbours[row - landmarks].push_back(pose);
     }
   }
-  SparseMatrix pattern(poses, poses);
-  pattern.setFromTriplets(ties.begin(), ties.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> pose_of_turn;
-  Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), pose_of_turn);
-  turn_of_pose_.resize(structure_->poses());
-  for (int turn = 0; turn < poses; ++turn) {
-    turn_of_pose_[pose_of_turn.indices()[turn]] = static_cast<std::uint32_t>(turn);
-  }
+  supernodes_.analyse(neighbours);
 }
 
-void PoseSystem::fill_pattern() {
-  // The matrix is first filled with the places of its numbers: how it arranges them is the map.
-  std::vector<Eigen::Triplet<double>> places;
+void PoseSystem::place_blocks() {
+  const std::uint32_t landmarks = structure_->landmarks();
+  const auto& turns = supernodes_.turns();
+  blocks_.clear();
   for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
-    const BlockStructure::Column& column = structure_->column(structure_->landmarks() + pose);
-    const auto rows = structure_->rows(structure_->landmarks() + pose);
-    for (std::uint32_t k = 0; k < 9 * column.count; ++k) {
-      const std::uint32_t c = k / (3 * column.count), r = k % (3 * column.count);
-      const std::uint32_t row = 3 * turn_of_pose_[rows[r / 3] - structure_->landmarks()] + r % 3;
-      const std::uint32_t col = 3 * turn_of_pose_[pose] + c;
-      if (r < 3 && row < col) continue;  // the upper half of the pose's own block
-      places.emplace_back(static_cast<int>(std::max(row, col)), static_cast<int>(std::min(row, col)),
-                          static_cast<double>(column.values + c * column.stride + r));
+    const BlockStructure::Column& column = structure_->column(landmarks + pose);
+    std::size_t source = column.values;
+    for (const std::uint32_t row : structure_->rows(landmarks + pose)) {
+      const std::uint32_t a = turns[pose], b = turns[row - landmarks];
+      const std::uint32_t first = std::min(a, b);
+      const std::size_t stride = supernodes_.panels()[supernodes_.panel_of(first)].height();
+      const std::size_t target = supernodes_.locate(std::max(a, b), first);
+      blocks_.push_back({source, target, column.stride, a <= b ? 1 : stride, a <= b ? stride : 1});
+      source += 3;
     }
   }
-  const auto side = static_cast<int>(3 * structure_->poses());
-  matrix_.resize(side, side);
-  matrix_.setFromTriplets(places.begin(), places.end());
-  source_.assign(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros());
 }
 
 bool PoseSystem::solve_sparse(NormalEquations& equations) {
-  std::transform(source_.begin(), source_.end(), matrix_.valuePtr(),
-                 [&](std::size_t place) { return equations.values[place]; });
-  factor_.factorize(matrix_);
-  if (factor_.info() != Eigen::Success || !all_determined(equations)) return false;
-  auto rhs = equations.rhs.tail(matrix_.cols());
-  rhs_.resize(rhs.size());
-  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
-    rhs_.segment<3>(3 * turn_of_pose_[pose]) = rhs.segment<3>(3 * pose);
+  std::vector<double>& values = factor_.values();
+  std::fill(values.begin(), values.end(), 0.0);
+  for (const BlockPlace& block : blocks_) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) {
+        values[block.target + r * block.row_stride + c * block.column_stride] =
+            equations.values[block.source + c * block.source_stride + r];
+      }
+    }
   }
-  rhs_ = factor_.solve(rhs_).eval();
-  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
-    rhs.segment<3>(3 * pose) = rhs_.segment<3>(3 * turn_of_pose_[pose]);
+  if (!factor_.factor() || !all_determined(equations)) return false;
+  const auto& turns = supernodes_.turns();
+  auto rhs = equations.rhs.tail(3 * static_cast<Eigen::Index>(turns.size()));
+  rhs_.resize(rhs.size());
+  for (std::uint32_t pose = 0; pose < turns.size(); ++pose) {
+    rhs_.segment<3>(3 * turns[pose]) = rhs.segment<3>(3 * pose);
+  }
+  factor_.solve(rhs_);
+  for (std::uint32_t pose = 0; pose < turns.size(); ++pose) {
+    rhs.segment<3>(3 * pose) = rhs_.segment<3>(3 * turns[pose]);
   }
   return true;
 }
 
 bool PoseSystem::all_determined(const NormalEquations& equations) const {
-  const auto lower = factor_.matrixL();
-  const auto& factor = lower.nestedExpression();
-  const Eigen::VectorXd pivots = factor_.vectorD();
-  const auto diagonal = equations.diagonal.tail(matrix_.cols());
-  for (std::uint32_t pose = 0; pose < structure_->poses(); ++pose) {
-    const Eigen::Index first = 3 * turn_of_pose_[pose];
-    Eigen::Matrix3d own = Eigen::Matrix3d::Identity();
-    own(1, 0) = factor.coeff(first + 1, first);
-    own(2, 0) = factor.coeff(first + 2, first);
-    own(2, 1) = factor.coeff(first + 2, first + 1);
-    const Eigen::Matrix3d remaining = own * pivots.segment<3>(first).asDiagonal() * own.transpose();
-    if (!is_determined(remaining, diagonal.segment<3>(3 * pose))) return false;
+  const auto& turns = supernodes_.turns();
+  const auto diagonal = equations.diagonal.tail(3 * static_cast<Eigen::Index>(turns.size()));
+  for (std::uint32_t pose = 0; pose < turns.size(); ++pose) {
+    const Eigen::Matrix3d root = factor_.own_block(turns[pose]);
+    if (!is_determined(root * root.transpose(), diagonal.segment<3>(3 * pose))) return false;
   }
   return true;
 }

@@ -4,17 +4,18 @@
 
 #include <vector>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include "graph/block_structure.hpp"
 #include "graph/normal_equations.hpp"
+#include "graph/sparse_cholesky.hpp"
+#include "graph/supernodes.hpp"
 
 namespace lanefuse {
 
 /// The poses' part of the equations, once the landmarks are eliminated: dense Cholesky for few poses, else
-/// sparse with an ordering of least fill. Poses are ordered as wholes, so that the three numbers of one are
-/// eliminated together.
+/// sparse by panels with an ordering of little fill. Poses are ordered as wholes, so that the three numbers
+/// of one are eliminated together.
 class PoseSystem {
  public:
   /// Analyses the pattern of a structure, which must outlive what follows.
@@ -25,20 +26,25 @@ class PoseSystem {
   bool solve(NormalEquations& equations);
 
  private:
-  using SparseMatrix = Eigen::SparseMatrix<double>;
+  struct BlockPlace {
+    std::size_t source = 0;  ///< in the equations' values
+    std::size_t target = 0;  ///< in the factor's
+    std::size_t source_stride = 0;
+    std::size_t row_stride = 0;  ///< of the target
+    std::size_t column_stride = 0;
+  };
 
-  void order_poses();
   void fill_pattern();
+  void place_blocks();
   bool solve_dense(NormalEquations& equations);
   bool solve_sparse(NormalEquations& equations);
   [[nodiscard]] bool all_determined(const NormalEquations& equations) const;
 
   const BlockStructure* structure_ = nullptr;
-  std::vector<std::uint32_t> turn_of_pose_;  ///< when a pose is eliminated
-  SparseMatrix matrix_;                      ///< by turns
-  std::vector<std::size_t> source_;          ///< of each number of matrix_, in the equations' values
-  Eigen::VectorXd rhs_;                      ///< by turns
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  Supernodes supernodes_;
+  SparseCholesky factor_;
+  std::vector<BlockPlace> blocks_;
+  Eigen::VectorXd rhs_;  ///< by turns
 };
 
 }  // namespace lanefuse

@@ -42,10 +42,10 @@ const char* to_string(SolveFallback fallback);
 struct SolveResult {
   SolveStatus status = SolveStatus::converged;
   int iterations = 0;       ///< steps tried
+  int cg_iterations = 0;    ///< of conjugate gradients, in all of them together; 0 for a direct solver
   double initial_chi2 = 0;  ///< J(V) at the start, with each switch at its best for it
   double final_chi2 = 0;    ///< J(V) as it was left; never above initial_chi2
-  int cg_iterations = 0;    ///< products with the Schur complement, over all steps
-  int halvings = 0;  ///< of steps whose end lay higher than their beginning (conjugate gradients)
+  int halvings = 0;         ///< of steps whose end lay higher than their beginning (conjugate gradients)
   SolveFallback fallback = SolveFallback::none;
   [[nodiscard]] bool ok() const { return status <= SolveStatus::iterations_exhausted; }
 };
@@ -58,6 +58,14 @@ class GraphSolver {
   /// Moves the vertices and switches of `graph` towards the minimum; on failure leaves them bit by bit as
   /// they were.
   virtual SolveResult solve(PoseGraph& graph, const SolverConfig& config) = 0;
+
+  /// For graphs that are solved again and again with nothing but the places of their vertices changed: takes
+  /// over all else. `graph` must be sound: what solve() would refuse is not noticed.
+  virtual void prepare(const PoseGraph& /*graph*/, const SolverConfig& /*config*/) {}
+  /// As solve(), for the graph of the last prepare().
+  virtual SolveResult solve_prepared(PoseGraph& graph, const SolverConfig& config) {
+    return solve(graph, config);
+  }
 };
 
 /// Gauss-Newton with the landmarks eliminated block by block onto the poses (Schur complement, Eigen), and

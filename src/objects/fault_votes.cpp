@@ -82,6 +82,8 @@ void vote_on_standing_mirror(const SightingSet& look, FaultVotes& votes) {
     const double expected = standing_rate(look, sighting.bearing);
     const double elsewhere = standing_rate(look, -sighting.bearing);
     if (!sighting.range_rate || std::abs(expected - elsewhere) < kApart) continue;
+    // Whatever keeps pace with us looks like a thing abeam.
+    if (std::abs(expected) < kApart || std::abs(elsewhere) < kApart) continue;
     if (std::abs(*sighting.range_rate - expected) < kStands) ++as_said;
     if (std::abs(*sighting.range_rate - elsewhere) < kStands) ++mirrored;
   }
@@ -109,6 +111,59 @@ void vote_on_mirror(const SightingSet& look, const SightingSet& other, FaultVote
     if (as_said && !mirrored) votes.sound += 1;
     if (mirrored && !as_said) votes.wrong += 1;
   }
+}
+
+std::optional<double> turn_by_range_rate(const SightingSet& look, const Sighting& sighting) {
+  constexpr double kFirst = 25 * kDegree;  // of the way: there, a degree changes the range rate by 0.7 %
+  constexpr double kLast = 65 * kDegree;
+  const double speed = look.velocity.norm();
+  const double course = std::atan2(look.velocity.y(), look.velocity.x());
+  const double said = wrap_angle(look.odometry_from_sensor.heading + sighting.bearing - course);
+  const double cosine = -sighting.range_rate.value_or(0) / std::max(speed, 1.0);
+  if (!sighting.range_rate || !(std::abs(cosine) < 1)) return {};
+  const double truly = std::copysign(std::acos(cosine), said);
+  // Behind the car things go away as they came.
+  const double aside = std::min(std::abs(truly), std::numbers::pi - std::abs(truly));
+  if (aside < kFirst || aside > kLast) return {};
+  const double turn = said - truly;
+  if (std::abs(turn) > BearingOffsets::kReach * kDegree) return {};
+  return turn;
+}
+
+void compare_bearings(const SightingSet& look, const SightingSet& other, BearingOffsets& offsets) {
+  constexpr double kNearest = 12;                             // [m]: nearer, vehicles are wide
+  constexpr double kAlong = 4;                                // [m]
+  constexpr double kClear = 1.2 * kDegree;                    // of both bearings together
+  constexpr double kEdge = BearingOffsets::kReach * kDegree;  // what is turned away is not seen any more
+  const Pose2 look_from_other = look.odometry_from_sensor.inverse() * other.odometry_from_sensor;
+  for (const Sighting& seen : other.sightings) {
+    if (stands(other, seen)) continue;
+    const Eigen::Vector2d at = look_from_other * Eigen::Vector2d(seen.range * direction(seen.bearing));
+    const double range = at.norm();
+    const double bearing = std::atan2(at.y(), at.x());
+    if (range < kNearest || !look.field.contains(range, bearing)) continue;
+    for (const Sighting& own : look.sightings) {
+      if (stands(look, own) || std::hypot(own.bearing_sigma, seen.bearing_sigma) > kClear) continue;
+      if (std::abs(own.range - range) > kAlong + 2 * std::hypot(seen.range_sigma, own.range_sigma)) continue;
+      if (std::abs(own.bearing - bearing) < kEdge) offsets.add(own.bearing - bearing);
+    }
+  }
+}
+
+bool should_see(const SightingSet& look, const SightingSet& other) {
+  constexpr double kInner = 0.55;  // of the field, along and across
+  constexpr double kNearest = 12;  // [m]: nearer, it may be beside the field
+  constexpr double kBeside = 5;    // [m] of the car's way: beyond it, ghosts live behind rails
+  const Pose2 look_from_other = look.odometry_from_sensor.inverse() * other.odometry_from_sensor;
+  const Pose2 vehicle_from_other = look.odometry_from_vehicle.inverse() * other.odometry_from_sensor;
+  return std::any_of(other.sightings.begin(), other.sightings.end(), [&](const Sighting& seen) {
+    const Eigen::Vector2d place = seen.range * direction(seen.bearing);
+    const Eigen::Vector2d at = look_from_other * place;
+    const double beside = std::abs((vehicle_from_other * place).y());
+    const double bearing = std::atan2(at.y(), at.x());
+    return !stands(other, seen) && at.norm() > kNearest && beside < kBeside &&
+           look.field.contains(at.norm() / kInner, bearing / kInner);
+  });
 }
 
 }  // namespace lanefuse

@@ -9,15 +9,14 @@
 #include <Eigen/LU>
 
 #include "core/pose2.hpp"
+#include "objects/track_shape.hpp"
 
 namespace lanefuse {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kUnknownSpeed = 1e3;  ///< [m/s] sigma where the sensor measures none
-constexpr double kTruckWidth = 2.2;    ///< [m] wider is a truck or a bus
-constexpr double kCarLength = 4.7;     ///< [m]
-constexpr double kTruckLength = 12;    ///< [m]
+constexpr double kLengthDrift = 0.05;  ///< [m/sqrt(s)] by which a length that was believed becomes doubtful
 
 Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Eigen::Vector2d left_of(const Eigen::Vector2d& ahead) { return {-ahead.y(), ahead.x()}; }
@@ -25,66 +24,6 @@ Eigen::Vector2d left_of(const Eigen::Vector2d& ahead) { return {-ahead.y(), ahea
 Eigen::Matrix2d spread(double angle, double along, double across) {
   const Eigen::Matrix2d turn = rotation(angle);
   return turn * Eigen::Vector2d(along * along, across * across).asDiagonal() * turn.transpose();
-}
-
-/// Which point of a vehicle a radar sees, from the middle of its rear, and how well that is known.
-struct SeenPoint {
-  double along = 0;         ///< [m]
-  double across = 0;        ///< [m]
-  double along_sigma = 0;   ///< [m]
-  double across_sigma = 0;  ///< [m]
-};
-
-/// Of the faces that are turned to the sensor the one on which the measured place lies best: the end that is
-/// nearer, anywhere along its width, or the flank, anywhere along its length.
-SeenPoint seen_point(const ObjectTrack& track, const Eigen::Vector2d& sensor, const Eigen::Vector2d& place,
-                     const ObjectTrackerConfig& config) {
-  const Eigen::Vector2d ahead = direction(track.heading);
-  const auto in_vehicle = [&](const Eigen::Vector2d& point) {
-    const Eigen::Vector2d from_rear = point - track.position();
-    return Eigen::Vector2d(from_rear.dot(ahead), from_rear.dot(left_of(ahead)));
-  };
-  const Eigen::Vector2d from = in_vehicle(sensor);
-  const Eigen::Vector2d at = in_vehicle(place);
-  const double half = track.width / 2;
-  const double length = track.length();
-  const double flank_side = std::copysign(half, from.y());
-  const SeenPoint end{from.x() > length / 2 ? length : 0, 0, config.depth, config.scatter};
-  const SeenPoint flank{std::clamp(at.x(), 0.0, length), flank_side, 0.3 * length,
-                        std::hypot(config.flank_sigma, track.width_sigma / 2)};
-  // From straight ahead or behind, and from afar, no flank is seen.
-  constexpr double kSlant = 0.12;
-  const double off_side = std::abs(from.y()) - half;
-  const double before_end = std::max({0.0, -from.x(), from.x() - length});
-  if (off_side < kSlant * before_end || off_side < 0) return end;
-  if (from.x() > 0 && from.x() < length) return flank;
-  const double off_end = std::abs(at.x() - end.along);
-  const double off_flank = std::hypot(at.y() - flank_side, std::max({0.0, -at.x(), at.x() - length}));
-  // The corner belongs to the end, whose place along is worth more.
-  return off_flank + config.depth < off_end ? flank : end;
-}
-
-/// [rad] From the middle of the rear to the middle of all that a camera sees of the vehicle.
-double flank_angle(const ObjectTrack& track, const SightingSet& look) {
-  const Eigen::Vector2d ahead = direction(track.heading);
-  const Pose2 sensor_from_odometry = look.odometry_from_sensor.inverse();
-  const auto bearing = [&](double along, double across) {
-    const Eigen::Vector2d at =
-        sensor_from_odometry * Eigen::Vector2d(track.position() + along * ahead + across * left_of(ahead));
-    return std::atan2(at.y(), at.x());
-  };
-  const double half = track.width / 2;
-  const double rear = bearing(0, 0);
-  double low = 0;
-  double high = 0;
-  for (const double along : {0.0, track.length()}) {
-    for (const double across : {-half, half}) {
-      const double angle = wrap_angle(bearing(along, across) - rear);
-      low = std::min(low, angle);
-      high = std::max(high, angle);
-    }
-  }
-  return (low + high) / 2;
 }
 
 TrackObservation observe_place(const ObjectTrack& track, const SightingSet& look, const Sighting& sighting,
@@ -107,17 +46,20 @@ TrackObservation observe_place(const ObjectTrack& track, const SightingSet& look
   return observation;
 }
 
-void update_width(ObjectTrack& track, const Sighting& sighting, double flank) {
-  constexpr double kRelative = 0.12;  // of a width that the range enters
-  constexpr double kNarrowFlank = 0.15;
-  if (!sighting.angular_width || std::abs(flank) > kNarrowFlank * *sighting.angular_width) return;
-  const double range = sighting.range;
-  const double width = std::clamp(range * *sighting.angular_width, 1.4, 2.7);
-  const double sigma = width * (kRelative + sighting.range_sigma / range);
-  const double gain =
-      track.width_sigma * track.width_sigma / (track.width_sigma * track.width_sigma + sigma * sigma);
-  track.width += gain * (width - track.width);
-  track.width_sigma = std::max(0.05, track.width_sigma * std::sqrt(1 - gain));
+/// The box's middle is that of all that is seen of the vehicle, a flank included that is as long as the track
+/// supposes.
+TrackObservation observe_box(const ObjectTrack& track, const SightingSet& look, const Sighting& sighting) {
+  constexpr double kBody = 0.08;  // [m] by which a body's middle is not that of its box
+  constexpr double kStep = 0.5;   // [m]
+  const double length = track.length();
+  const double middle = silhouette(track, look, length, track.width).middle;
+  const double shifted = silhouette(track, look, length + kStep, track.width).middle;
+  TrackObservation observation = observe_place(track, look, sighting, sighting.bearing - middle);
+  // Only a doubt: a camera's errors last too long to measure a length by.
+  const double length_sigma = std::sqrt(track.state.covariance(kTrackLength, kTrackLength));
+  const double doubt = std::hypot(kBody, (shifted - middle) / kStep * length_sigma * sighting.range);
+  observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, doubt);
+  return observation;
 }
 
 }  // namespace
@@ -128,10 +70,6 @@ void Verification::add(double evidence, const ObjectTrackerConfig& config) {
   if (odds < config.refused_odds) verified = false;
 }
 
-double ObjectTrack::length() const {
-  return std::max(seen_length, width > kTruckWidth ? kTruckLength : kCarLength);
-}
-
 ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const ObjectTrackerConfig& config,
                         double own_heading) {
   ObjectTrack track;
@@ -140,6 +78,7 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   track.address = sighting.address;
   auto& [mean, covariance] = track.state;
   covariance.setZero();
+  mean[kTrackLength] = kCarLength;
   const double angle = look.odometry_from_sensor.heading + sighting.bearing;
   const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * direction(angle);
   // Of what is behind us the front is seen.
@@ -152,6 +91,13 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   covariance.block<2, 2>(kTrackVx, kTrackVx) =
       spread(own_heading, config.start_sigma_along, config.start_sigma_across);
   covariance(kTrackWander, kTrackWander) = config.wander_sigma * config.wander_sigma;
+  covariance(kTrackLength, kTrackLength) = kCarLengthSigma * kCarLengthSigma;
+  if (behind) {
+    const double variance = covariance(kTrackLength, kTrackLength);
+    covariance.block<2, 2>(kTrackX, kTrackX) += variance * ahead * ahead.transpose();
+    covariance.block<2, 1>(kTrackX, kTrackLength) = -variance * ahead;
+    covariance.block<1, 2>(kTrackLength, kTrackX) = -variance * ahead.transpose();
+  }
   if (sighting.range_rate) {
     // Only the speed is taken from the sighting that the track stands on already.
     const Eigen::Vector2d sight = direction(angle);
@@ -166,7 +112,7 @@ ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const
   return track;
 }
 
-void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
+void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position, double curvature,
              const ObjectTrackerConfig& config) {
   using StateMatrix = Eigen::Matrix<double, kTrackStateSize, kTrackStateSize>;
   const double keep = std::exp(-seconds / config.wander_tau);
@@ -186,27 +132,29 @@ void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_posi
   const double swing = config.ego_yaw_deg * kDegree;
   noise.block<2, 2>(kTrackX, kTrackX) +=
       left_of(apart) * left_of(apart).transpose() * (swing * swing * seconds);
+  noise(kTrackLength, kTrackLength) = kLengthDrift * kLengthDrift * seconds;
+  // Half of the turn before moving, half afterwards: the chord of the arc.
+  const double turn = curvature * track.speed() * seconds;
+  const auto turn_half = [&] {
+    track.state.mean.segment<2>(kTrackVx) = (rotation(turn / 2) * track.velocity()).eval();
+  };
+  turn_half();
   predict<kTrackStateSize>(track.state, transition, noise);
+  turn_half();
+  track.heading = wrap_angle(track.heading + turn);
 }
 
 TrackObservation observe(const ObjectTrack& track, const SightingSet& look, const Sighting& sighting,
                          const ObjectTrackerConfig& config) {
-  if (look.kind == SightingKind::camera) {
-    const double flank = flank_angle(track, look);
-    TrackObservation observation = observe_place(track, look, sighting, sighting.bearing - flank);
-    constexpr double kFlankDoubt = 0.3;  // of a flank whose length is a guess
-    constexpr double kBody = 0.08;       // [m] by which a body's middle is not that of its box
-    const double doubt = std::hypot(kBody, kFlankDoubt * flank * sighting.range);
-    observation.noise.topLeftCorner<2, 2>() += spread(track.heading, 0, doubt);
-    return observation;
-  }
+  if (look.kind == SightingKind::camera) return observe_box(track, look, sighting);
   TrackObservation observation = observe_place(track, look, sighting, sighting.bearing);
   const Eigen::Vector2d place = track.position() + observation.residual.head<2>();
-  const SeenPoint point = seen_point(track, look.odometry_from_sensor.position(), place, config);
+  const SeenPoint point = seen_point(track, look, place, config);
   const Eigen::Vector2d ahead = direction(track.heading);
   const Eigen::Vector2d left = left_of(ahead);
   observation.residual.head<2>() -= point.along * ahead + point.across * left;
-  if (point.across == 0) {
+  observation.jacobian.block<2, 1>(0, kTrackLength) = point.along / track.length() * ahead;
+  if (!point.flank) {
     observation.residual.head<2>() -= track.state.mean[kTrackWander] * left;
     observation.jacobian.block<2, 1>(0, kTrackWander) = left;
   }
@@ -225,7 +173,7 @@ void update(ObjectTrack& track, const SightingSet& look, const Sighting& sightin
   const TrackObservation observation = observe(track, look, sighting, config);
   update<kTrackStateSize, TrackObservation::kSize>(track.state, observation.residual, observation.jacobian,
                                                    observation.noise);
-  if (look.kind == SightingKind::camera) update_width(track, sighting, flank_angle(track, look));
+  if (look.kind == SightingKind::camera) update_width(track, look, sighting);
   if (sighting.address) track.address = sighting.address;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -15,9 +16,9 @@
 namespace lanefuse {
 
 /// What a track's filter carries: the middle of the vehicle's rear and its velocity over ground, in the frame
-/// of the dead reckoning, which does not turn with the car; and how far across the rear the point lies that
-/// radars see.
-enum TrackState : int { kTrackX, kTrackY, kTrackVx, kTrackVy, kTrackWander, kTrackStateSize };
+/// of the dead reckoning, which does not turn with the car; how far across the rear the point lies that
+/// radars see; and the vehicle's length, which ties the front to the rear.
+enum TrackState : int { kTrackX, kTrackY, kTrackVx, kTrackVy, kTrackWander, kTrackLength, kTrackStateSize };
 
 /// Evidence that one kind of sensor gives for a track: log odds, raised by looks that see it, lowered by
 /// looks that should.
@@ -35,14 +36,16 @@ struct ObjectTrack {
   double heading = 0;        ///< [rad] in the odometry frame; of its motion while it moved last
   double width = 1.8;        ///< [m]
   double width_sigma = 0.3;  ///< [m]
-  double seen_length = 0;    ///< [m] along which reflections have been seen on it
   int longer = 0;            ///< reflections of late that say it is longer
   double odds = 0;           ///< log odds that it exists
   int hits = 0;              ///< looks in which it was seen
+  int run = 0;               ///< of those, since it was out of sight for a while
   bool confirmed = false;
+  Time confirmed_at{};
   bool has_moved = false;   ///< has been seen driving: what stands then is a vehicle that stopped
   bool refused = false;     ///< a mirror image, or nothing where a camera should see a vehicle
   bool superseded = false;  ///< an older track follows the same vehicle
+  Time born{};              ///< when it was seen first
   Time last_seen{};
   Time last_due{};  ///< the last look in which it should have been seen, or was
   Verification radar;
@@ -54,8 +57,7 @@ struct ObjectTrack {
   [[nodiscard]] Eigen::Vector2d position() const { return state.mean.segment<2>(kTrackX); }
   [[nodiscard]] Eigen::Vector2d velocity() const { return state.mean.segment<2>(kTrackVx); }
   [[nodiscard]] double speed() const { return velocity().norm(); }
-  /// [m] As far as its flank has been seen, or what is usual: trucks are wider than cars.
-  [[nodiscard]] double length() const;
+  [[nodiscard]] double length() const { return std::clamp(state.mean[kTrackLength], 3.0, 20.0); }  ///< [m]
 };
 
 /// What a sighting tells of a track, linearised: the place over ground and, of a radar, the speed along the
@@ -71,7 +73,8 @@ struct TrackObservation {
 ObjectTrack start_track(const SightingSet& look, const Sighting& sighting, const ObjectTrackerConfig& config,
                         double own_heading);
 
-void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position,
+/// Moves on with the road, whose `curvature` [1/m] is what drivers follow.
+void predict(ObjectTrack& track, double seconds, const Eigen::Vector2d& own_position, double curvature,
              const ObjectTrackerConfig& config);
 
 /// The vehicle's face that the sensor sees decides which of its points is seen: the rear from behind, the

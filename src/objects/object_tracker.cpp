@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "objects/known_body.hpp"
 #include "objects/track_relations.hpp"
 #include "objects/track_report.hpp"
 
@@ -69,11 +70,26 @@ void ObjectTracker::predict_all(const SightingSet& look) {
   state_.time = look.measured_at;
   state_.barriers.look(look, seconds);
   if (seconds <= 0) return;
-  for (ObjectTrack& track : state_.tracks) {
-    predict(track, seconds, look.odometry_from_vehicle.position(), config_);
-  }
+  const auto move_on = [&](ObjectTrack& track) {
+    predict(track, seconds, look.odometry_from_vehicle.position(),
+            curvature_at(track, look.odometry_from_vehicle), config_);
+  };
+  std::ranges::for_each(state_.tracks, move_on);
+  std::ranges::for_each(state_.lost.tracks(), move_on);
   state_.course = lane_changes_.course(look, config_, state_.tracks);
   lane_changes_.mark(look, seconds, state_.course, config_, state_.tracks);
+}
+
+/// [1/m] Of the road where the track is, if it drives our way along it.
+double ObjectTracker::curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const {
+  constexpr double kOurWay = 0.5;  // [rad]
+  constexpr double kReach = 200;   // [m]
+  const bool seen = *state_.time - track.last_seen < from_seconds(config_.gap_s);
+  if (seen || track.speed() < config_.min_speed) return 0;
+  const Pose2 vehicle_from_odometry = odometry_from_vehicle.inverse();
+  if (std::abs(wrap_angle(track.heading + vehicle_from_odometry.heading)) > kOurWay) return 0;
+  const double x = (vehicle_from_odometry * track.position()).x();
+  return std::abs(x) < kReach ? state_.course.curvature(x) : 0;
 }
 
 void ObjectTracker::associate(const SightingSet& look) {
@@ -82,6 +98,7 @@ void ObjectTracker::associate(const SightingSet& look) {
   costs_.clear();
   for (const Sighting& sighting : look.sightings) {
     for (const ObjectTrack& track : state_.tracks) costs_.push_back(cost(track, look, sighting));
+    if (look.kind == SightingKind::radar) leave_to_known(look, sighting);
   }
   // Staying alone costs more than the worst fit within the gates: it is the number of pairs that counts
   // first.
@@ -94,6 +111,23 @@ void ObjectTracker::associate(const SightingSet& look) {
     const auto row = costs_.begin() + static_cast<std::ptrdiff_t>(i * state_.tracks.size());
     const auto best = std::min_element(row, row + tracks);
     if (tracks > 0 && *best != Assignment::kForbidden) track_of_[i] = static_cast<int>(best - row);
+  }
+}
+
+/// A vehicle gives many reflections, and their bearings err: what a known track explains well must not feed a
+/// new one beside it. The sighting's costs are the last ones.
+void ObjectTracker::leave_to_known(const SightingSet& look, const Sighting& sighting) {
+  const auto& tracks = state_.tracks;
+  const auto explains = [&](const ObjectTrack& track) {
+    if (!track.confirmed || look.measured_at - track.last_seen > from_seconds(config_.gap_s)) return false;
+    const std::size_t index =
+        costs_.size() - tracks.size() + static_cast<std::size_t>(&track - tracks.data());
+    return costs_[index] != Assignment::kForbidden &&
+           misfit(track, observe(track, look, sighting, config_)).distance_squared < config_.sure_gate;
+  };
+  if (std::none_of(tracks.begin(), tracks.end(), explains)) return;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (!tracks[i].confirmed) costs_[costs_.size() - tracks.size() + i] = Assignment::kForbidden;
   }
 }
 
@@ -128,6 +162,7 @@ bool ObjectTracker::take(std::size_t index, const SightingSet& look) {
   Verification& verification = look.kind == SightingKind::radar ? track.radar : track.camera;
   verification.add(evidence, config_);
   verification.last = look.measured_at;
+  track.run = look.measured_at - track.last_seen > from_seconds(config_.gap_s) ? 1 : track.run + 1;
   track.last_seen = track.last_due = look.measured_at;
   ++track.hits;
   return true;
@@ -152,59 +187,32 @@ void ObjectTracker::start_tracks(const SightingSet& look) {
     const Sighting& nearest = look.sightings[static_cast<std::size_t>(clusters_.members(c).front())];
     ObjectTrack track = start_track(look, nearest, config_, look.odometry_from_vehicle.heading);
     track.id = state_.next_id++;
-    track.last_seen = track.last_due = look.measured_at;
-    track.hits = 1;
+    track.born = track.last_seen = track.last_due = look.measured_at;
+    track.hits = track.run = 1;
     state_.tracks.push_back(track);
   }
 }
 
-/// On the body of a confirmed track, as fast as it is. Nobody follows so near at such a speed: what is seen a
-/// little beyond its ends is more of the same vehicle.
 bool ObjectTracker::belongs_to_known(const SightingSet& look, const Sighting& sighting) {
-  constexpr double kAround = 1.2;  // [m] about the body
-  constexpr double kFast = 10;     // [m/s] from which it holds
-  constexpr double kMore = 6;      // [m] at a time
-  constexpr double kLongest = 20;  // [m]
-  constexpr double kNear = 25;     // [m] to the sensor: further off, places are too uncertain
-  constexpr int kSurely = 8;       // times
-  const double angle = look.odometry_from_sensor.heading + sighting.bearing;
-  const Eigen::Vector2d sight(std::cos(angle), std::sin(angle));
-  const Eigen::Vector2d place = look.odometry_from_sensor.position() + sighting.range * sight;
-  const double doubt = 2 * std::max(sighting.range_sigma, sighting.bearing_sigma * sighting.range);
-  for (ObjectTrack& track : state_.tracks) {
-    if (!track.confirmed) continue;
-    const Eigen::Vector2d from_rear = place - track.position();
-    const Eigen::Vector2d ahead(std::cos(track.heading), std::sin(track.heading));
-    const double along = from_rear.dot(ahead);
-    const double across = ahead.x() * from_rear.y() - ahead.y() * from_rear.x();
-    const double speed = sighting.range_rate ? *sighting.range_rate + look.velocity.dot(sight) : 0;
-    const bool as_fast =
-        !sighting.range_rate || std::abs(speed - track.velocity().dot(sight)) < 2 * config_.same_range_rate;
-    if (!as_fast || std::abs(across) > track.width / 2 + kAround + doubt) continue;
-    const double length = track.length();
-    if (along > -kAround - doubt && along < length + kAround + doubt) return true;
-    const bool more = look.kind == SightingKind::radar && track.speed() > kFast && sighting.range < kNear &&
-                      std::abs(across) < track.width;
-    const double beyond = along < 0 ? -along : along - length;
-    if (!more || beyond > kMore || length + beyond > kLongest) continue;
-    if (++track.longer < kSurely) return true;
-    track.longer = 0;
-    track.seen_length = length + beyond;
-    // What was taken for its rear was not.
-    if (along < 0) track.state.mean.segment<2>(kTrackX) += along * ahead;
-    return true;
-  }
-  return false;
+  return std::any_of(state_.tracks.begin(), state_.tracks.end(), [&](ObjectTrack& track) {
+    return track.confirmed && is_on_body(track, look, sighting, config_);
+  });
 }
 
 void ObjectTracker::judge(const SightingSet& look) {
   for (ObjectTrack& track : state_.tracks) {
-    if (track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) track.confirmed = true;
+    if (!track.confirmed && track.odds > config_.confirm_odds && track.hits >= config_.confirm_hits) {
+      track.confirmed = true;
+      track.confirmed_at = look.measured_at;
+    }
+    if (track.confirmed && !track.superseded) {
+      state_.lost.know_again(track, look.measured_at, state_.tracks, config_);
+    }
     if (track.confirmed && surely_drives(track, config_.min_speed)) track.has_moved = true;
     track.refused = track.camera.odds < config_.refused_odds;
   }
   refuse_mirrors(look);
-  merge_doubles();
+  merge_doubles(state_.tracks, config_.same_along);
   forget(look.measured_at);
 }
 
@@ -229,25 +237,20 @@ bool ObjectTracker::is_beyond_barrier(const ObjectTrack& track, const Pose2& veh
   return offset.value > state_.barriers.left() + margin || offset.value < state_.barriers.right() - margin;
 }
 
-void ObjectTracker::merge_doubles() {
-  auto& tracks = state_.tracks;
-  for (ObjectTrack& young : tracks) {
-    young.superseded = std::any_of(tracks.begin(), tracks.end(), [&](const ObjectTrack& old) {
-      return is_double(young, old, config_.same_along);
-    });
-  }
-  std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
-}
-
 void ObjectTracker::forget(Time now) {
   constexpr double kGone = -2;  // log odds
-  std::erase_if(state_.tracks, [&](const ObjectTrack& track) {
+  const auto is_over = [&](const ObjectTrack& track) {
     const double unseen = to_seconds(now - track.last_seen);
     if (!track.confirmed) return track.odds < kGone || unseen > config_.tentative_coast_s;
     const bool due = track.last_due > track.last_seen;
     return (unseen > config_.coast_s && (due && track.odds < config_.confirm_odds)) ||
            unseen > config_.hidden_coast_s;
-  });
+  };
+  for (const ObjectTrack& track : state_.tracks) {
+    if (is_over(track)) state_.lost.add(track);
+  }
+  std::erase_if(state_.tracks, is_over);
+  state_.lost.forget(now, config_);
 }
 
 void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
@@ -259,7 +262,10 @@ void ObjectTracker::write(Time time, const Pose2& odometry_from_vehicle,
     if (!known.confirmed || known.refused || !is_vehicle) continue;
     ObjectTrack track = known;
     const double seconds = to_seconds(time - *state_.time);
-    if (seconds > 0) predict(track, seconds, odometry_from_vehicle.position(), config_);
+    if (seconds > 0) {
+      predict(track, seconds, odometry_from_vehicle.position(), curvature_at(track, odometry_from_vehicle),
+              config_);
+    }
     objects.push_back(described(track, vehicle_from_odometry, config_));
   }
 }
@@ -268,6 +274,7 @@ void ObjectTracker::reset() {
   state_.time.reset();
   state_.next_id = 1;
   state_.tracks.clear();
+  state_.lost.clear();
   state_.barriers = {};
   state_.course = {};
   held_ = 0;

@@ -11,6 +11,7 @@
 #include "core/pose2.hpp"
 #include "objects/barrier_watch.hpp"
 #include "objects/lane_change_watch.hpp"
+#include "objects/lost_tracks.hpp"
 #include "objects/object_track.hpp"
 #include "objects/object_tracker_config.hpp"
 #include "objects/sighting.hpp"
@@ -42,6 +43,7 @@ class ObjectTracker {
     std::optional<Time> time;
     std::int64_t next_id = 1;
     std::vector<ObjectTrack> tracks;
+    LostTracks lost;
     BarrierWatch barriers;
     RoadCourse course;  ///< as of `time`
   };
@@ -68,8 +70,10 @@ class ObjectTracker {
 
   void forget_history();
   void process(const SightingSet& look);
+  [[nodiscard]] double curvature_at(const ObjectTrack& track, const Pose2& odometry_from_vehicle) const;
   void predict_all(const SightingSet& look);
   void associate(const SightingSet& look);
+  void leave_to_known(const SightingSet& look, const Sighting& sighting);
   [[nodiscard]] double cost(const ObjectTrack& track, const SightingSet& look,
                             const Sighting& sighting) const;
   bool take(std::size_t index, const SightingSet& look);
@@ -79,7 +83,6 @@ class ObjectTracker {
   void judge(const SightingSet& look);
   void refuse_mirrors(const SightingSet& look);
   [[nodiscard]] bool is_beyond_barrier(const ObjectTrack& track, const Pose2& vehicle_from_odometry) const;
-  void merge_doubles();
   void forget(Time now);
 };
 

@@ -21,6 +21,8 @@ struct RoadCourse {
   };
   /// [rad] at x ahead.
   [[nodiscard]] Estimate heading(double x) const { return at({1, x, x * x / 2}); }
+  /// [1/m] at x ahead.
+  [[nodiscard]] double curvature(double x) const { return line.mean[1] + x * line.mean[2]; }
   /// [m] across the course, of a place in the vehicle frame.
   [[nodiscard]] Estimate offset(const Eigen::Vector2d& place) const {
     const double x = place.x();

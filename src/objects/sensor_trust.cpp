@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lanefuse {
 namespace {
@@ -32,6 +33,10 @@ const char* to_string(SensorFault fault) {
       return "range_rates";
     case SensorFault::beyond_field:
       return "beyond_field";
+    case SensorFault::turned:
+      return "turned";
+    case SensorFault::blind:
+      return "blind";
   }
   return "unknown";
 }
@@ -48,12 +53,15 @@ bool SensorTrust::believe(const SightingSet& look, std::size_t turned_beyond) {
       vote_on_standing(look, sensor.standing);
       vote_on_standing_mirror(look, sensor.standing_mirror);
       sensor.chains.look(look, seconds);
+      sensor.things.look(look);
       compare_with_others(sensor, look);
+      count_blindness(sensor, look, seconds);
       sensor.last = look;
       conclude(place, look.measured_at);
     } else {
       // Standing, nothing is learned: neither that it is frozen nor that it is sound again.
       sensor.repeats = 0;
+      sensor.sight = {};
       sensor.unsound = look.measured_at;
       sensor.last = look;
     }
@@ -82,7 +90,12 @@ void SensorTrust::forget(Sensor& sensor, double seconds) const {
   sensor.standing.forget(keep);
   sensor.standing_mirror.forget(keep);
   sensor.chains.forget(keep);
-  for (Word& word : sensor.words) word.votes.forget(keep);
+  sensor.sight.forget(std::exp(-seconds / config_.proof_memory_s));
+  sensor.things.forget(std::exp(-seconds / config_.proof_memory_s));
+  for (Word& word : sensor.words) {
+    word.votes.forget(keep);
+    word.offsets.forget(std::exp(-seconds / config_.proof_memory_s));
+  }
 }
 
 void SensorTrust::count_repeats(Sensor& sensor, const SightingSet& look) const {
@@ -97,10 +110,33 @@ void SensorTrust::compare_with_others(Sensor& sensor, const SightingSet& look) {
     auto word = std::find_if(sensor.words.begin(), sensor.words.end(),
                              [&](const Word& w) { return w.from == other.last.sensor_id; });
     if (word == sensor.words.end()) {
-      word = sensor.words.insert(sensor.words.end(), Word{other.last.sensor_id, {}});
+      word = sensor.words.insert(sensor.words.end(), Word{other.last.sensor_id, {}, {}});
     }
     vote_on_mirror(look, other.last, word->votes);
+    if (look.kind == SightingKind::camera && other.last.kind == SightingKind::radar)
+      compare_bearings(look, other.last, word->offsets);
   }
+  const bool disputed = std::any_of(sensor.words.begin(), sensor.words.end(), [&](const Word& word) {
+    return word.votes.say_wrong(config_.enough / 2, config_.ratio);
+  });
+  // What it proved before may have been before it broke.
+  if (disputed && !sensor.disputed) sensor.things.clear();
+  sensor.disputed = disputed;
+}
+
+void SensorTrust::count_blindness(Sensor& sensor, const SightingSet& look, double seconds) const {
+  if (!look.sightings.empty()) {
+    sensor.sight = {};
+    return;
+  }
+  constexpr double kLongest = 0.2;  // [s] that one look stands for
+  const bool vehicles = look.field.detection > 0 && look.field.detection_far > 0 &&
+                        std::any_of(sensors_.begin(), sensors_.end(), [&](const Sensor& other) {
+                          const double apart = to_seconds(look.measured_at - other.last.measured_at);
+                          return &other != &sensor && std::abs(apart) < kSameMoment &&
+                                 other.fault == SensorFault::none && should_see(look, other.last);
+                        });
+  (vehicles ? sensor.sight.wrong : sensor.sight.sound) += std::min(seconds, kLongest);
 }
 
 /// Whether the word of others, leaving one of them aside, is against this sensor.
@@ -114,7 +150,15 @@ bool SensorTrust::is_contradicted(std::size_t place, std::uint32_t but_for) cons
   return sum.wrong > sum.sound;
 }
 
+/// Whether things that stand have proven that it looks where the rig says that it does.
+bool SensorTrust::is_proven(const Sensor& sensor) const {
+  const bool side = sensor.standing_mirror.say_sound(config_.enough, config_.ratio) ||
+                    sensor.things.mirror().say_sound(config_.proof, config_.ratio);
+  return side && sensor.things.turn().straight(config_.enough);
+}
+
 bool SensorTrust::is_mirrored(std::size_t place) const {
+  const bool camera = sensors_[place].last.kind == SightingKind::camera;
   FaultVotes sum;
   int accusers = 0;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
@@ -125,10 +169,25 @@ bool SensorTrust::is_mirrored(std::size_t place) const {
     if (is_contradicted(i, sensors_[place].last.sensor_id)) continue;
     sum.sound += word->votes.sound;
     sum.wrong += word->votes.wrong;
-    if (word->votes.wrong > config_.ratio * word->votes.sound) ++accusers;
+    if (word->votes.wrong > config_.ratio * word->votes.sound) accusers += is_proven(sensors_[i]) ? 2 : 1;
   }
-  const int needed = sensors_[place].last.kind == SightingKind::camera ? 2 : 1;
+  const int needed = camera || is_proven(sensors_[place]) ? 2 : 1;
   return accusers >= needed && sum.say_wrong(config_.enough, config_.ratio);
+}
+
+/// A radar by what stands, a camera by the bearings of a radar that is proven.
+bool SensorTrust::is_turned(const Sensor& sensor) const {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const auto turned = [&](const BearingOffsets& offsets) {
+    return offsets.turned(config_.pairs, config_.ratio, config_.turned_deg * kDegree).has_value();
+  };
+  if (sensor.last.kind == SightingKind::radar) return turned(sensor.things.turn());
+  return std::any_of(sensor.words.begin(), sensor.words.end(), [&](const Word& word) {
+    const auto from = std::find_if(sensors_.begin(), sensors_.end(),
+                                   [&](const Sensor& s) { return s.last.sensor_id == word.from; });
+    return from->fault == SensorFault::none && from->things.turn().straight(config_.pairs) &&
+           turned(word.offsets);
+  });
 }
 
 SensorFault SensorTrust::verdict(std::size_t place) const {
@@ -139,8 +198,11 @@ SensorFault SensorTrust::verdict(std::size_t place) const {
   if (sensor.standing.say_wrong(config_.enough, config_.ratio) || sensor.chains.say_wrong()) {
     return SensorFault::range_rates;
   }
-  const bool mirrored = sensor.standing_mirror.say_wrong(config_.enough, config_.ratio) || is_mirrored(place);
-  return mirrored ? SensorFault::mirrored : SensorFault::none;
+  const bool mirrored = sensor.standing_mirror.say_wrong(config_.enough, config_.ratio) ||
+                        sensor.things.mirror().say_wrong(config_.proof, config_.ratio) || is_mirrored(place);
+  if (mirrored) return SensorFault::mirrored;
+  if (is_turned(sensor)) return SensorFault::turned;
+  return sensor.sight.say_wrong(config_.blind_s, config_.ratio) ? SensorFault::blind : SensorFault::none;
 }
 
 /// That nothing speaks against it any more is not enough: something must speak for it.
@@ -155,6 +217,10 @@ bool SensorTrust::is_sound_again(const Sensor& sensor) const {
                          [&](const Word& word) { return sound(word.votes); });
     case SensorFault::beyond_field:
       return sound(sensor.field);
+    case SensorFault::turned:
+      return sensor.things.turn().straight(config_.pairs) ||
+             std::any_of(sensor.words.begin(), sensor.words.end(),
+                         [&](const Word& word) { return word.offsets.straight(config_.pairs); });
     default:
       return sensor.repeats == 0 && !sensor.last.sightings.empty();
   }
@@ -165,7 +231,10 @@ void SensorTrust::conclude(std::size_t place, Time now) {
   const SensorFault found = verdict(place);
   if (found != SensorFault::none) sensor.fault = found;
   if (found != SensorFault::none || !is_sound_again(sensor)) sensor.unsound = now;
-  if (to_seconds(now - sensor.unsound) > config_.recover_s) sensor.fault = SensorFault::none;
+  // Named only for want of a proof, which is there now.
+  const bool cleared = sensor.fault == SensorFault::mirrored && found == SensorFault::none &&
+                       sensor.disputed && is_proven(sensor);
+  if (cleared || to_seconds(now - sensor.unsound) > config_.recover_s) sensor.fault = SensorFault::none;
   distrusted_.clear();
   for (const Sensor& known : sensors_) {
     if (known.fault != SensorFault::none) distrusted_.push_back(known.last.sensor_id);

@@ -29,7 +29,8 @@ struct Sighting {
   double range_rate_sigma = 0.1;  ///< [m/s]
   /// [rad] that it spans, where the sensor sees both of its sides.
   std::optional<double> angular_width = {};
-  double confidence = 1;  ///< in [0, 1]
+  double angular_width_sigma = 0.003;  ///< [rad]
+  double confidence = 1;               ///< in [0, 1]
   /// Some radars track inside: the slot that this was filed under, unless the slot was just taken anew.
   std::optional<std::int32_t> address = {};
 };

@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "objects/track_relations.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "objects/track_shape.hpp"
 
 namespace lanefuse {
 
@@ -28,6 +34,26 @@ bool is_mirror_of(const ObjectTrack& ghost, const ObjectTrack& real, const Eigen
   return (across > 0 ? own : -own) < std::abs(across) / 2;
 }
 
+bool may_be_same(const ObjectTrack& young, const ObjectTrack& gone, double gate, double& distance_squared) {
+  constexpr double kAcross = 3.2;  // [m] beyond which it is on another lane, however uncertain both are
+  const Eigen::Vector4d apart = young.state.mean.head<4>() - gone.state.mean.head<4>();
+  const Eigen::Vector2d left(-std::sin(gone.heading), std::cos(gone.heading));
+  if (std::abs(apart.head<2>().dot(left)) > kAcross) return false;
+  const Eigen::Matrix4d doubt =
+      young.state.covariance.topLeftCorner<4, 4>() + gone.state.covariance.topLeftCorner<4, 4>();
+  distance_squared = apart.dot(doubt.llt().solve(apart));
+  return distance_squared < gate;
+}
+
+void take_name(ObjectTrack& young, const ObjectTrack& gone) {
+  young.id = gone.id;
+  young.born = gone.born;
+  young.has_moved = young.has_moved || gone.has_moved;
+  young.width = gone.width;
+  young.width_sigma = gone.width_sigma;
+  suppose_length(young, gone.length(), std::sqrt(gone.state.covariance(kTrackLength, kTrackLength)));
+}
+
 bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_along) {
   constexpr double kAcross = 1.1;  // [m]
   constexpr double kAsFast = 2.5;  // [m/s]
@@ -39,6 +65,20 @@ bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_alo
   const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
   return std::abs(across) < kAcross + doubt && along > -same_along - doubt && along < old.length() - 0.5 &&
          (young.velocity() - old.velocity()).norm() < kAsFast;
+}
+
+void merge_doubles(std::vector<ObjectTrack>& tracks, double same_along) {
+  for (ObjectTrack& young : tracks) {
+    if (young.superseded) continue;
+    const auto old = std::find_if(tracks.begin(), tracks.end(), [&](const ObjectTrack& track) {
+      return !track.superseded && is_double(young, track, same_along);
+    });
+    if (old == tracks.end()) continue;
+    young.superseded = true;
+    // The name that was reported first stays.
+    if (young.confirmed && young.confirmed_at < old->confirmed_at) std::swap(young.id, old->id);
+  }
+  std::erase_if(tracks, [](const ObjectTrack& track) { return track.superseded; });
 }
 
 }  // namespace lanefuse

@@ -49,8 +49,11 @@ TrackedObject described(const ObjectTrack& track, const Pose2& vehicle_from_odom
   object.width = track.width;
   object.movement = movement(track, config);
   object.existence = 1 / (1 + std::exp(-track.odds));
-  object.seen_by_radar = track.radar.verified;
-  object.seen_by_camera = track.camera.verified;
+  // What comes back from behind others may be another: it bears no witness before it has been seen for a
+  // while.
+  const bool is_itself = track.run >= config.run_hits;
+  object.seen_by_radar = track.radar.verified && is_itself;
+  object.seen_by_camera = track.camera.verified && is_itself;
   object.last_radar = track.radar.last;
   object.last_camera = track.camera.last;
   object.changing_lane = track.changing_lane;

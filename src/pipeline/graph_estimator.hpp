@@ -20,6 +20,12 @@ class GraphEstimator final : public LaneEstimator {
   [[nodiscard]] const DebugView& debug() const override { return debug_; }
   void on_stage(StageListener listener) override { stage_done_ = std::move(listener); }
 
+  /// See FeatureFusion::on_window.
+  void on_window(FeatureFusion::WindowListener listener) { fusion_.on_window(std::move(listener)); }
+
+  /// See FeatureFusion::use_solver.
+  void use_solver(std::unique_ptr<WindowSolver> solver) { fusion_.use_solver(std::move(solver)); }
+
  private:
   Pose2 moved_since_last_cycle(const Cycle& cycle);
   void give_up(StatusReason reason);

@@ -105,6 +105,16 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig
   sources_.push_back(std::move(objects));
 }
 
+void MultiLanePerception::on_window(FeatureFusion::WindowListener listener) {
+  auto* graph = dynamic_cast<GraphEstimator*>(estimator_.get());
+  if (graph) graph->on_window(std::move(listener));
+}
+
+void MultiLanePerception::use_solver(std::unique_ptr<WindowSolver> solver) {
+  auto* graph = dynamic_cast<GraphEstimator*>(estimator_.get());
+  if (graph) graph->use_solver(std::move(solver));
+}
+
 void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
   stage_done_ = listener;
   estimator_->on_stage(std::move(listener));
@@ -209,7 +219,9 @@ void MultiLanePerception::run_sources(Time now) {
 void MultiLanePerception::take(const Measurement& measurement, const SourceContext& context) {
   if (std::holds_alternative<VehicleMotion>(measurement)) return;
   const Time newest = context.motion.empty() ? stamp_of(measurement).measured_at : context.motion.back().time;
-  if (newest - stamp_of(measurement).measured_at > from_seconds(config_.reorder_window_s)) {
+  // What has waited here for its cycle is not late for that.
+  const Time until = std::min(newest, stamp_of(measurement).received_at);
+  if (until - stamp_of(measurement).measured_at > from_seconds(config_.reorder_window_s)) {
     inputs_.dropped += item_count(measurement);
     return;
   }

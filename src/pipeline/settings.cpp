@@ -6,6 +6,7 @@
 
 #include "pipeline/image_settings.hpp"
 #include "pipeline/settings_section.hpp"
+#include "pipeline/trust_settings.hpp"
 
 namespace lanefuse {
 namespace {
@@ -139,6 +140,7 @@ void add_sources(const Section& s, SourcesConfig& c) {
   add_radar(objects.section("long_range_radar"), c.objects.sensors.long_range_radar);
   add_radar(objects.section("short_range_radar"), c.objects.sensors.short_range_radar);
   add_object_camera(objects.section("camera"), c.objects.sensors.camera);
+  add_trust_settings(objects.section("trust"), c.objects.trust);
   const Section ego = s.section("ego_path");
   ego.add("enabled", c.ego_path.enabled,
           "whether the car itself bears witness of its lane; not in the paper");

@@ -147,6 +147,7 @@ std::optional<Sighting> SightingMaker::sighting_of(const BoxDetection& box, cons
   sighting.bearing_sigma = std::hypot(edge / std::numbers::sqrt2, camera.sigma_yaw_deg * kDegree);
   if (cut) sighting.bearing_sigma += (left - right) / 2;
   if (!cut) sighting.angular_width = left - right;
+  sighting.angular_width_sigma = std::numbers::sqrt2 * edge;
   sighting.confidence = box.confidence;
   return sighting;
 }

@@ -80,6 +80,26 @@ TEST(Suites, ChoicesNarrowThem) {
   EXPECT_EQ(to_string(drives.front()), "nominal, curved, seed 1, 3 km, no-width, graph, truth surveyed");
 }
 
+TEST(Suites, DetectionsDriveEachOnceMore) {
+  SuiteChoice choice;
+  choice.road = "gentle";
+  choice.detections = true;
+  const auto drives = drives_of(choice);
+  ASSERT_EQ(drives.size(), 2U);
+  EXPECT_EQ(drives[0].variant, "full");
+  EXPECT_EQ(drives[1].variant, kDetectionsVariant);
+  choice.variant = std::string(kDetectionsVariant);
+  EXPECT_EQ(drives_of(choice).size(), 1U);
+}
+
+TEST(Variants, DetectionsComeInPlaceOfTheObjectList) {
+  SimulationConfig config;
+  find_variant(kDetectionsVariant).leave_out(config);
+  EXPECT_TRUE(config.detections);
+  EXPECT_TRUE(config.objects);
+  for (const Variant& ablation : variants()) EXPECT_NE(ablation.name, kDetectionsVariant);
+}
+
 TEST(Suites, UnknownNamesAreRefused) {
   EXPECT_THROW(drives_of({.suite = "x"}), Error);
   EXPECT_THROW(drives_of({.road = "x"}), Error);

@@ -45,6 +45,14 @@ class Examples(program.ProgramTest):
         self.assertLess(without, 1.5)
         self.assertGreater(with_it, 2.5)
 
+    def test_a_pose_graph_disbelieves_the_false_loop(self):
+        done = self.run_lesson("03_pose_graph")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        switches = [float(value) for value in re.findall(r"loop .*: (\S+)", done.stdout)]
+        self.assertEqual(len(switches), 5)
+        self.assertGreater(min(switches[:4]), 0.8)
+        self.assertLess(switches[4], 0.05)
+
     def test_a_file_that_is_no_drive_is_named(self):
         for name in ("01_fuse_a_drive", "02_own_source"):
             done = self.run_lesson(name, "nowhere.mcap")

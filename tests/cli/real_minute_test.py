@@ -50,6 +50,15 @@ class RealMinute(program.ProgramTest):
         self.succeed("run", "stripped.mcap", "-o", "blind.mcap")
         self.assertEqual(self.bytes_of("blind.mcap"), self.bytes_of("lanes.mcap"))
 
+    def test_its_tracks_make_the_picture_in_the_docs(self):
+        drawn = self.succeed("plot", "lanes.mcap", "--tracks", "-o", "tracks.svg")
+        self.assertGreater(drawn["duration_s"], 59)
+        self.assertLessEqual(drawn["witnesses"], drawn["tracks"])
+        picture = self.bytes_of("tracks.svg")
+        self.assertLess(len(picture), 150_000)
+        # The vehicle on the lane to the right keeps its id for the whole minute.
+        self.assertIn(b": 60 s<", picture)
+
 
 if __name__ == "__main__":
     program.main()

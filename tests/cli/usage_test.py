@@ -5,6 +5,7 @@
 import program
 
 SUBCOMMANDS = [["simulate"], ["import", "comma2k19"], ["run"], ["evaluate"], ["plot"], ["strip"], ["graph", "solve"],
+               ["graph", "convert"], ["graph", "spoil"], ["graph", "compare"], ["bench", "lane-graphs"], ["bench", "windows"],
                ["benchmark"], ["benchmark", "merge"], ["benchmark", "table"], ["benchmark", "compare"],
                ["map", "info"], ["map", "convert"], ["calibrate", "chessboard"], ["calibrate", "mounting"]]
 
@@ -43,6 +44,9 @@ class WrongUse(program.ProgramTest):
 
     def test_unknown_options_are_named(self):
         for subcommand in SUBCOMMANDS:
+            if subcommand[0] in ("graph", "bench"):
+                self.refuse(2, *subcommand, "x", "y", "--bogus", naming="--bogus")
+                continue
             needed = ["--camera", "z", "--lane-width-m", 3.5] if subcommand[-1] == "mounting" else []
             self.refuse(2, *subcommand, "x", "-o", "y", "--truth", "exact", *needed, "--bogus", naming="--bogus")
 
@@ -62,8 +66,12 @@ class WrongUse(program.ProgramTest):
         self.refuse(2, "plot", "lanes.mcap", "--at", -1, "-o", "x.svg", naming="--at")
         self.refuse(2, "plot", "lanes.mcap", "--at", "nan", "-o", "x.svg", naming="--at")
         self.refuse(2, "plot", "lanes.mcap", "--at", 1e6, "-o", "x.svg", naming="--at")
+        self.refuse(2, "plot", "lanes.mcap", "--at", 1, "--tracks", "-o", "x.svg", naming="--tracks")
         self.refuse(2, "evaluate", "lanes.mcap", "--truth", "guess", naming="--truth")
         self.refuse(2, "graph", "solve", "x.g2o", "--max-iterations", -1, naming="--max-iterations")
+        self.refuse(2, "graph", "solve", "x.g2o", "--switch-prior", 0, naming="--switch-prior")
+        self.refuse(2, "graph", "solve", "x.g2o", "--solver", "guess", naming="guess")
+        self.refuse(2, "graph", "spoil", "x.g2o", "-o", "y.g2o", "--outliers", -1, naming="--outliers")
 
     def test_nothing_is_overwritten_unasked(self):
         self.refuse(2, "simulate", "-o", "drive.mcap", naming="--force")

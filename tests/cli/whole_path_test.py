@@ -76,6 +76,11 @@ class WholePath(program.ProgramTest):
         self.assertLess(drawn["at_s"], 5.1)
         self.assertIn(b"<svg", self.bytes_of("frame.svg")[:400])
 
+    def test_plot_draws_all_tracks_over_time(self):
+        drawn = self.succeed("plot", "lanes.mcap", "--tracks", "-o", "tracks.svg")
+        self.assertGreater(drawn["duration_s"], 5)
+        self.assertIn(b"to the left [m]", self.bytes_of("tracks.svg"))
+
     def test_a_moved_folder_keeps_lanes_and_truth_together(self):
         moved = self.folder / "moved"
         moved.mkdir()

@@ -1,25 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
-#include <functional>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/broken_detections.hpp"
 #include "pipeline/damaged_stream.hpp"
-#include "support/detected_drive.hpp"
 
 /// Radars and a camera that boxes vehicles, sound and broken, from measurements to lanes and tracks.
 namespace lanefuse {
 namespace {
 
+using testing::broken_camera;
+using testing::broken_radar;
 using testing::CycleResult;
 using testing::detected_drive;
+using testing::expect_blamed;
+using testing::flagged_after;
+using testing::image_width;
+using testing::kBegin;
+using testing::mirror;
+using testing::objects_of;
 using testing::run;
 using testing::seconds_of;
 using testing::SimulatedDrive;
-
-SourceStatus objects_of(const CycleResult& cycle) {
-  return cycle.lanes.sources[static_cast<std::size_t>(Source::objects)];
-}
 
 std::size_t verified(const CycleResult& cycle) {
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -38,38 +41,6 @@ void expect_same(const std::vector<CycleResult>& a, const std::vector<CycleResul
     ASSERT_TRUE(testing::same_road(a[i].lanes, b[i].lanes)) << "cycle " << i;
     ASSERT_TRUE(same_objects(a[i].objects, b[i].objects)) << "cycle " << i;
   }
-}
-
-/// What breaks a radar's detections from second 4 on.
-using Fault = std::function<void(RadarScan&)>;
-constexpr double kBegin = 4;
-
-std::vector<Measurement> broken_radar(const SimulatedDrive& drive, std::uint32_t sensor, const Fault& fault) {
-  std::vector<Measurement> stream = drive.measurements;
-  for (Measurement& measurement : stream) {
-    auto* scan = std::get_if<RadarScan>(&measurement);
-    if (scan && scan->stamp.sensor_id == sensor && seconds_of(scan->stamp.measured_at) >= kBegin)
-      fault(*scan);
-  }
-  return stream;
-}
-
-/// [s] After the beginning, when objects are first said to be degraded; 99 for never.
-double flagged_after(const std::vector<CycleResult>& cycles) {
-  for (const CycleResult& cycle : cycles) {
-    if (objects_of(cycle) == SourceStatus::degraded) return seconds_of(cycle.lanes.time) - kBegin;
-  }
-  return 99;
-}
-
-/// That no other sensor is blamed for what one of them did.
-void expect_blamed(const std::vector<CycleResult>& cycles, std::uint32_t sensor) {
-  bool blamed = false;
-  for (const CycleResult& cycle : cycles) {
-    blamed = blamed || !cycle.distrusted.empty();
-    for (const std::uint32_t id : cycle.distrusted) EXPECT_EQ(id, sensor) << seconds_of(cycle.lanes.time);
-  }
-  EXPECT_TRUE(blamed) << sensor;
 }
 
 /// That whoever bears witness, from a second on, is there.
@@ -169,6 +140,45 @@ TEST_F(ObjectSensors, RecoverFromStampsThatJump) {
   }
 }
 
+/// The own motion of a look that comes late is known better than that of one in time: not the last bit is the
+/// same, but every track is, where it was.
+bool near_objects(const std::vector<TrackedObject>& a, const std::vector<TrackedObject>& b) {
+  return std::ranges::equal(a, b, [](const TrackedObject& p, const TrackedObject& q) {
+    return p.id == q.id && std::hypot(p.x - q.x, p.y - q.y) < 0.1 && p.witness == q.witness;
+  });
+}
+
+/// Detections that overtake each other by up to 200 ms leave the tracks as sorted ones do, once all are
+/// there.
+TEST_F(ObjectSensors, MayOvertakeEachOther) {
+  std::vector<Measurement> stream = drive_.measurements;
+  std::uint64_t number = 0;
+  for (Measurement& measurement : stream) {
+    const bool detects =
+        std::holds_alternative<RadarScan>(measurement) || std::holds_alternative<CameraBoxes>(measurement);
+    Stamp& stamp = testing::stamp_in(measurement);
+    const double seconds = seconds_of(stamp.measured_at);
+    if (!detects || seconds < 4 || seconds > 6) continue;
+    number = number * 6364136223846793005U + 1442695040888963407U;
+    stamp.received_at = stamp.measured_at + std::chrono::milliseconds(40 + (number >> 33) % 160);
+  }
+  std::ranges::stable_sort(stream, {}, [](const Measurement& m) { return stamp_of(m).received_at; });
+  const auto cycles = run(drive_.rig, stream);
+  ASSERT_EQ(cycles.size(), sound_.size());
+  InputAccounting inputs;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const double seconds = seconds_of(cycles[i].lanes.time);
+    EXPECT_TRUE(cycles[i].distrusted.empty()) << seconds;
+    inputs += cycles[i].lanes.inputs;
+    if (seconds < 4 || seconds > 6.3) {
+      EXPECT_TRUE(near_objects(cycles[i].objects, sound_[i].objects)) << seconds;
+    }
+  }
+  InputAccounting sorted;
+  for (const CycleResult& cycle : sound_) sorted += cycle.lanes.inputs;
+  EXPECT_EQ(inputs, sorted);
+}
+
 /// The whole car's clock, the other sensors' too.
 TEST_F(ObjectSensors, RecoverWhereTheClockIsSet) {
   for (const double jump : {-86400.0, -5.0, -0.5, 0.5, 5.0, 86400.0}) {
@@ -238,14 +248,7 @@ TEST_F(ObjectSensors, AreFlaggedWhereLeftIsRight) {
 }
 
 TEST_F(ObjectSensors, AreFlaggedWhereTheCameraSeesAMirrorImage) {
-  std::vector<Measurement> stream = drive_.measurements;
-  for (Measurement& measurement : stream) {
-    auto* boxes = std::get_if<CameraBoxes>(&measurement);
-    if (!boxes || seconds_of(boxes->stamp.measured_at) < kBegin) continue;
-    for (BoxDetection& box : boxes->boxes) {
-      box = {1279 - box.right, box.top, 1279 - box.left, box.bottom, box.confidence};
-    }
-  }
+  const auto stream = broken_camera(drive_, [&](CameraBoxes& boxes) { mirror(boxes, image_width(drive_)); });
   const auto cycles = run(drive_.rig, stream);
   EXPECT_GT(flagged_after(cycles), 0);
   EXPECT_LT(flagged_after(cycles), 2);

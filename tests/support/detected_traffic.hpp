@@ -72,7 +72,9 @@ class DetectedTraffic {
   bool posts_;
   std::mt19937 random_;
   std::optional<Pose2> last_;
-  double way_ = 0;  ///< [m] driven
+  double way_ = 0;        ///< [m] driven
+  double next_post_ = 0;  ///< [m] on the way
+  std::vector<Eigen::Vector2d> standing_;
 
   static const SensorDescription& sensor_of(std::uint32_t id) {
     static const auto sensors = object_sensors();
@@ -116,18 +118,21 @@ class DetectedTraffic {
     return RadarDetection{range + normal(0.2), bearing + normal(front ? 0.003 : 0.02), rate + normal(0.1)};
   }
 
-  /// Two rows of posts beside the car's way, 10 m and 9 m from it.
-  [[nodiscard]] std::vector<Eigen::Vector2d> posts(const TrueFrame& frame) {
+  /// Two rows of posts, 12 m and 11 m beside where the car drives to when they come into sight.
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& posts(const TrueFrame& frame) {
     constexpr double kApart = 25;
+    constexpr double kSight = 100;  // [m]
+    if (!posts_) return standing_;
     if (last_) way_ += (frame.world_from_vehicle.position() - last_->position()).norm();
     last_ = frame.world_from_vehicle;
-    std::vector<Eigen::Vector2d> posts;
-    for (int i = 0; posts_ && i < 7; ++i) {
-      const double ahead = i * kApart - std::fmod(way_, kApart);
-      for (const double y : {10.0, -9.0})
-        posts.push_back(frame.world_from_vehicle * Eigen::Vector2d(ahead, y));
+    for (; next_post_ < way_ + kSight; next_post_ += kApart) {
+      for (const double y : {12.0, -11.0})
+        standing_.push_back(frame.world_from_vehicle * Eigen::Vector2d(next_post_ - way_, y));
     }
-    return posts;
+    std::erase_if(standing_, [&](const Eigen::Vector2d& post) {
+      return (frame.world_from_vehicle.inverse() * post).x() < -kSight;
+    });
+    return standing_;
   }
 
   std::optional<BoxDetection> box_of(const TrueFrame& frame, const TrueObject& object) {
