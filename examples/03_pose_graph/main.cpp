@@ -18,9 +18,9 @@ Eigen::Matrix3d information(double sigma, double heading_sigma) {
   return Eigen::Vector3d(position, position, 1 / (heading_sigma * heading_sigma)).asDiagonal();
 }
 
-/// Odometry says a metre, and a left turn at each corner, of which it misses 2 degrees.
+/// Odometry says a metre, and a left turn at each corner, of which it misses a third of a degree.
 lanefuse::Pose2 step(lanefuse::VertexId from) {
-  const double turn = from % 4 == 3 ? std::acos(0.0) - 0.035 : 0;
+  const double turn = from % 4 == 3 ? std::acos(0.0) - 0.006 : 0;
   return {1, 0, turn};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/bench_command.hpp"
 #include "cli/command_line.hpp"
+#include "cli/endurance_command.hpp"
 
 namespace lanefuse {
 namespace {
@@ -11,10 +12,31 @@ void add_common(CLI::App& command, BenchOptions& options) {
   command.add_option("--solver", options.solver, "what is measured against Ceres")->capture_default_str();
 }
 
+void add_endurance(CLI::App& bench, CommandLine& line) {
+  auto& options = line.make<EnduranceOptions>();
+  CLI::App& command =
+      *bench.add_subcommand("endurance", "a long simulated drive, fused in this process: times and memory");
+  command.add_option("--hours", options.hours, "length of the drive [h]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 36.0));
+  command.add_option("--cycle-hz", options.cycle_hz, "cycles a second of the drive [Hz]")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 100.0));
+  command.add_option("--report-minutes", options.report_minutes, "of the drive, between lines")
+      ->capture_default_str()
+      ->check(CLI::Range(0.05, 1440.0));
+  command.add_option("--seed", options.seed, "of the drive")->capture_default_str();
+  command.add_option("--scenario", options.scenario, "as in simulate")->capture_default_str();
+  command.add_option("--solver", options.solver, "of the graph: lanefuse, direct, ceres, ceres:SETTING")
+      ->capture_default_str();
+  command.add_flag("--detections", options.detections, "raw detections instead of object lists");
+  finish(command, line, options, bench_endurance);
+}
+
 }  // namespace
 
 void add_bench(CommandLine& line) {
-  CLI::App& bench = *line.app.add_subcommand("bench", "how fast graphs are solved, beside Ceres");
+  CLI::App& bench = *line.app.add_subcommand("bench", "how fast graphs and whole cycles are, beside Ceres");
   demand_subcommand(bench);
   auto& graphs = line.make<BenchOptions>();
   CLI::App& lane_graphs =
@@ -29,6 +51,7 @@ void add_bench(CommandLine& line) {
   CLI::App& of_drive = *bench.add_subcommand("windows", "the windows that run --dump-graphs wrote");
   add_common(of_drive, windows);
   finish(of_drive, line, windows, bench_windows);
+  add_endurance(bench, line);
 }
 
 }  // namespace lanefuse

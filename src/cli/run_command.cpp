@@ -18,6 +18,7 @@
 #include "cli/window_dump.hpp"
 #include "core/error.hpp"
 #include "peers/named_solver.hpp"
+#include "pipeline/graph_estimator.hpp"
 #include "pipeline/perception.hpp"
 #include "recording/drive_reader.hpp"
 #include "recording/lanes_writer.hpp"
@@ -196,11 +197,12 @@ int run(const RunOptions& options) {
   }
 
   MultiLanePerception perception(config, reader.rig());
-  if (options.solver != "lanefuse") perception.use_solver(make_window_solver(make_solver(options.solver)));
+  auto& estimator = dynamic_cast<GraphEstimator&>(perception.estimator());  // the only one there is
+  if (options.solver != "lanefuse") estimator.use_solver(make_window_solver(make_solver(options.solver)));
   std::optional<WindowDump> windows;
   if (options.graph_folder) {
     windows.emplace(*options.graph_folder, options.force);
-    perception.on_window([&windows](const WindowGraph& window) { windows->write(window); });
+    estimator.on_window([&windows](const WindowGraph& window) { windows->write(window); });
   }
   LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
   Stopwatch watch;

@@ -124,8 +124,8 @@ void Supernodes::join_columns() {
       Panel& panel = panels_.back();
       const std::size_t columns = panel.columns + std::size_t{1}, count = panel.count + std::size_t{1};
       const std::size_t joined_zeros = zeros + count - own;
-      const double share = static_cast<double>(joined_zeros) /
-                           static_cast<double>(columns * count - columns * (columns - 1) / 2);
+      const std::size_t blocks = columns * count - columns * (columns - 1) / 2;
+      const double share = static_cast<double>(joined_zeros) / static_cast<double>(blocks);
       const double most = columns <= 8 ? kZerosOfFew : columns <= 24 ? kZerosOfSome : kZerosOfMany;
       if (count == own || (columns <= kAlwaysJoined && count <= 12) || share <= most) {
         panel = {column, panel.columns + 1, panel.count + 1, 0, 0};

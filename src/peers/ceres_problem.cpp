@@ -85,11 +85,8 @@ void CeresProblem::hold_and_group() {
 }
 
 bool CeresProblem::fits(const PoseGraph& graph, SwitchForm form) const {
-  if (form != form_ || !all_same(graph.edges, graph_.edges) || !all_same(graph.switches, graph_.switches) ||
-      !all_same(graph.vertices, graph_.vertices)) {
-    return false;
-  }
-  return true;
+  return form == form_ && all_same(graph.edges, graph_.edges) && all_same(graph.switches, graph_.switches) &&
+         all_same(graph.vertices, graph_.vertices);
 }
 
 void CeresProblem::read_places(const PoseGraph& graph) {

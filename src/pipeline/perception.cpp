@@ -105,16 +105,6 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig
   sources_.push_back(std::move(objects));
 }
 
-void MultiLanePerception::on_window(FeatureFusion::WindowListener listener) {
-  auto* graph = dynamic_cast<GraphEstimator*>(estimator_.get());
-  if (graph) graph->on_window(std::move(listener));
-}
-
-void MultiLanePerception::use_solver(std::unique_ptr<WindowSolver> solver) {
-  auto* graph = dynamic_cast<GraphEstimator*>(estimator_.get());
-  if (graph) graph->use_solver(std::move(solver));
-}
-
 void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
   stage_done_ = listener;
   estimator_->on_stage(std::move(listener));

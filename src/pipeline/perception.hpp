@@ -12,7 +12,6 @@
 
 #include "core/estimator.hpp"
 #include "core/lane_estimate.hpp"
-#include "fusion/feature_fusion.hpp"
 #include "pipeline/config.hpp"
 #include "sensors/measurement.hpp"
 #include "sensors/rig.hpp"
@@ -63,11 +62,8 @@ class MultiLanePerception {
   /// Lets the caller time the stages: called when one ends.
   void on_stage(LaneEstimator::StageListener listener);
 
-  /// Shows the caller each cycle's graph right before it is solved, where the estimator has one.
-  void on_window(FeatureFusion::WindowListener listener);
-
-  /// Solves the graph's windows with another solver than ours, for comparison.
-  void use_solver(std::unique_ptr<WindowSolver> solver);
+  /// What fuses: for those who want to see more of it than every estimator shows (GraphEstimator::on_window).
+  [[nodiscard]] LaneEstimator& estimator() { return *estimator_; }
 
   /// Forgets everything, as after construction.
   void reset();

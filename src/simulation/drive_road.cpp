@@ -23,9 +23,9 @@ constexpr double kShortestDrive = 50;              ///< [m]
 constexpr GeoOrigin kNearMunich{48.2, 11.6, 500};  ///< drawn roads have to lie somewhere
 
 double checked_length(double km) {
-  if (!(km > 0 && km <= 1000)) {
+  if (!(km > 0 && km <= 4000)) {
     throw configuration_error("simulation", fmt::format("{} km is no length of a drive", km),
-                              "choose up to 1000 km");
+                              "choose up to 4000 km");
   }
   return km * 1000;
 }

@@ -22,7 +22,7 @@ namespace lanefuse {
 
 struct SimulationConfig {
   std::uint64_t seed = 1;            ///< the same seed gives the same bytes
-  double km = 2;                     ///< that the ego car drives, in (0, 1000]
+  double km = 2;                     ///< that the ego car drives, in (0, 4000]
   RoadKind road = RoadKind::gentle;  ///< where the scenario does not say
   /// Odometry is always there. Road, traffic and the other sensors do not change when one is switched off.
   bool serial_camera = true;

@@ -45,7 +45,8 @@ class WrongUse(program.ProgramTest):
     def test_unknown_options_are_named(self):
         for subcommand in SUBCOMMANDS:
             if subcommand[0] in ("graph", "bench"):
-                self.refuse(2, *subcommand, "x", "y", "--bogus", naming="--bogus")
+                needed = ["-o", "y", "--outliers", 1] if subcommand[-1] == "spoil" else ["y"]
+                self.refuse(2, *subcommand, "x", *needed, "--bogus", naming="--bogus")
                 continue
             needed = ["--camera", "z", "--lane-width-m", 3.5] if subcommand[-1] == "mounting" else []
             self.refuse(2, *subcommand, "x", "-o", "y", "--truth", "exact", *needed, "--bogus", naming="--bogus")

@@ -20,6 +20,7 @@ struct BlockMatrix {
 BlockMatrix make_matrix(unsigned seed, std::uint32_t blocks, std::uint32_t ties) {
   std::mt19937 random(seed);
   const auto number = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };
+  const auto any_block = [&] { return static_cast<std::uint32_t>(random() % blocks); };
   BlockMatrix matrix{std::vector<std::vector<std::uint32_t>>(blocks),
                      Eigen::MatrixXd::Zero(3 * blocks, 3 * blocks)};
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
@@ -32,7 +33,7 @@ BlockMatrix make_matrix(unsigned seed, std::uint32_t blocks, std::uint32_t ties)
     matrix.numbers.block<3, 3>(3 * b, 3 * a) = block.transpose();
   };
   for (std::uint32_t i = 0; i + 1 < blocks; ++i) join(i, i + 1);
-  for (std::uint32_t i = 0; i < ties; ++i) join(random() % blocks, random() % blocks);
+  for (std::uint32_t i = 0; i < ties; ++i) join(any_block(), any_block());
   matrix.numbers.diagonal() = matrix.numbers.cwiseAbs().rowwise().sum().array() + 0.1;
   return matrix;
 }
