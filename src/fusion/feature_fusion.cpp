@@ -126,6 +126,7 @@ void FeatureFusion::sample_within_reach(ClothoidMeasurement clothoid) {
 }
 
 FeatureFusion::Id FeatureFusion::add_feature(const Feature& feature, const Attachment& at) {
+  if (window_.is_full_of_measurements()) return WindowGraph::kNone;
   const Pose2 measurement = at.keyframe_from_vehicle * pose_of(feature);
   const Eigen::Matrix3d information = measurement_information(feature, config_.sigma_along);
   const Pose2 window_from_feature = window_.graph().pose(at.keyframe) * measurement;

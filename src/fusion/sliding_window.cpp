@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 #include "fusion/constraints.hpp"
 
@@ -38,7 +39,7 @@ WindowGraph::Limits limits(const FusionConfig& config) {
 
 SlidingWindow::SlidingWindow(const FusionConfig& config) : config_(config), graph_(limits(config)) {
   const WindowGraph::Limits reserved = limits(config);
-  keyframes_.reserve(reserved.poses);
+  keyframes_.reserve(reserved.poses + 1);  // the graph's first is nowhere
   features_.reserve(reserved.landmarks);
   origins_.reserve(reserved.ties);
   by_information_.reserve(reserved.landmarks);
@@ -74,9 +75,7 @@ Pose2 SlidingWindow::window_from_vehicle(Id keyframe, const Pose2& odometry_from
 
 std::optional<SlidingWindow::Id> SlidingWindow::add_feature(const Pose2& window_from_feature,
                                                             Time measured_at) {
-  const bool full =
-      feature_count() >= config_.max_features || graph_.observation_count() >= config_.max_measurements;
-  if (full) return std::nullopt;
+  if (feature_count() >= config_.max_features || is_full_of_measurements()) return std::nullopt;
   const Id id = graph_.add_landmark(window_from_feature);
   WindowFeature feature;
   feature.time = measured_at;
@@ -126,22 +125,28 @@ void SlidingWindow::forget_features(Time now, const Pose2& vehicle_from_odometry
 }
 
 void SlidingWindow::make_room(Time now) {
-  const auto room = [](std::size_t bound) { return bound - bound / kFreeShare; };
-  const bool crowded = feature_count() > room(config_.max_features) ||
-                       graph_.observation_count() > room(config_.max_measurements) ||
-                       graph_.tie_count() > room(config_.max_ties);
-  if (!crowded) return;
+  const auto fits = [](std::size_t count, std::size_t bound) { return count <= bound - bound / kFreeShare; };
+  const auto features_fit = [&] {
+    return fits(feature_count(), config_.max_features) &&
+           fits(graph_.observation_count(), config_.max_measurements);
+  };
+  const auto ties_fit = [&] { return fits(graph_.tie_count(), config_.max_ties); };
+  if (features_fit() && ties_fit()) return;
   by_information_.clear();
   for (Id id = 0; id < graph_.landmark_slots(); ++id) {
     // What has just been seen for the first time could not have told more yet.
     if (graph_.is_alive(id) && features_[id].time < now)
       by_information_.emplace_back(graph_.observed_information(id).yy, id);
   }
-  const std::size_t least = std::min(by_information_.size(), config_.max_features / kFreeShare + 1);
-  std::partial_sort(by_information_.begin(), by_information_.begin() + static_cast<std::ptrdiff_t>(least),
-                    by_information_.end());
-  for (std::size_t i = 0; i < least; ++i) graph_.remove_landmark(by_information_[i].second);
-  crowded_out_ += least;
+  std::make_heap(by_information_.begin(), by_information_.end(), std::greater<>());
+  while (!by_information_.empty() && !(features_fit() && ties_fit())) {
+    std::pop_heap(by_information_.begin(), by_information_.end(), std::greater<>());
+    const Id id = by_information_.back().second;
+    by_information_.pop_back();
+    if (features_fit() && graph_.first_tie(id) == WindowGraph::kNone) continue;  // it makes no room for ties
+    graph_.remove_landmark(id);
+    ++crowded_out_;
+  }
 }
 
 void SlidingWindow::forget_keyframes() {

@@ -75,6 +75,11 @@ class SlidingWindow {
   /// `keyframe`.
   [[nodiscard]] Pose2 window_from_vehicle(Id keyframe, const Pose2& odometry_from_vehicle) const;
 
+  /// Whether it holds as many measurements as it may.
+  [[nodiscard]] bool is_full_of_measurements() const {
+    return graph_.observation_count() >= config_.max_measurements;
+  }
+
   /// A new feature, or nothing where the window is full.
   std::optional<Id> add_feature(const Pose2& window_from_feature, Time measured_at);
 
@@ -118,7 +123,7 @@ class SlidingWindow {
   std::vector<Keyframe> keyframes_;                    ///< by pose
   std::vector<WindowFeature> features_;                ///< by landmark
   std::vector<TieOrigin> origins_;                     ///< by tie
-  std::vector<std::pair<double, Id>> by_information_;  ///< scratch
+  std::vector<std::pair<double, Id>> by_information_;  ///< scratch: a heap, the least on top
   std::uint64_t crowded_out_ = 0;
 };
 

@@ -101,7 +101,8 @@ WindowGraph::WindowGraph(const Limits& limits) {
   first_block_.reserve(limits.landmarks);
   first_tie_.reserve(limits.landmarks);
   free_landmarks_.reserve(limits.landmarks);
-  blocks_.reserve(limits.observations / 4);
+  // A landmark's newest block need not be full.
+  blocks_.reserve(limits.observations / 4 + limits.landmarks);
   ties_.reserve(limits.ties);
   free_ties_.reserve(limits.ties);
   clear();
