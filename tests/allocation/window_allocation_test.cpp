@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "allocation/steady_drive.hpp"
 #include "fusion/feature_fusion.hpp"
 
 namespace {
@@ -45,18 +46,13 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace lanefuse {
+
+std::size_t testing::allocations() { return ::allocations; }
+
 namespace {
 
 using Id = WindowGraph::Id;
-
-/// What was allocated since it was made.
-class Count {
- public:
-  [[nodiscard]] std::size_t operator()() const { return allocations - begin_; }
-
- private:
-  std::size_t begin_ = allocations;
-};
+using testing::Count;
 
 TEST(Counting, SeesWhatVectorsTake) {
   const Count count;
@@ -182,33 +178,6 @@ TEST(ConjugateGradientSolver, AllocatesNothingInSteadyState) {
   EXPECT_EQ(of_solver, 0U);
 }
 
-/// A cycle's feature sets, as cameras and the object source would make them.
-std::vector<FeatureSet> sets_at(int cycle, Time now) {
-  FeatureSet markings;
-  markings.source = Source::high_resolution_camera;
-  markings.sensor_id = 2;
-  FeatureSet witnesses;
-  witnesses.source = Source::objects;
-  witnesses.sensor_id = 3;
-  witnesses.lane_width = LaneWidth{3.5, 0.1};
-  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.5, 0.1, 0.01).cwiseAbs2().asDiagonal();
-  const auto add = [&](FeatureSet& set, double x, double y) -> Feature& {
-    Feature& feature = set.features.emplace_back(Feature{x, y, 0, 0.6});
-    feature.covariance = covariance;
-    return feature;
-  };
-  for (int i = 0; i < 20; ++i) {
-    for (const double y : {-1.75, 1.75, 5.25}) add(markings, 3 * i + 3 - std::fmod(1.2 * cycle, 3), y);
-  }
-  for (const double y : {-1.75, 1.75}) {
-    Feature& feature = add(witnesses, 40, y);
-    feature.track_id = 7;
-    feature.side = y > 0 ? Side::left : Side::right;
-  }
-  markings.measured_at = witnesses.measured_at = now;
-  return {markings, witnesses};
-}
-
 TEST(FeatureFusion, AllocatesNothingInSteadyState) {
   const FusionConfig config;
   FeatureFusion fusion(config, std::make_unique<ConjugateGradientSolver>());
@@ -218,7 +187,7 @@ TEST(FeatureFusion, AllocatesNothingInSteadyState) {
   for (int cycle = 0; cycle < 700; ++cycle) {
     const Time now = from_nanoseconds(1'000'000'000) + cycle * std::chrono::milliseconds(40);
     motion.push_back({now, {1.2 * cycle, 0, 0}, 0, 0});
-    const std::vector<FeatureSet> sets = sets_at(cycle, now);
+    const std::vector<FeatureSet> sets = testing::sets_at(cycle, now);
     const Cycle input{now, motion, sets};
     const Count count;
     const FusionResult result = fusion.process(input, nobody);
