@@ -180,7 +180,9 @@ void add_fusion(const Section& s, FusionConfig& c) {
   s.add("switch_prior", c.switch_prior, {1e-3, 1e6}, "",
         "squared error from which a smoothing edge starts to switch off");
   s.add("max_features", c.max_features, {16U, 1000000U}, "",
-        "of the window; measurements beyond are dropped");
+        "of the window; when it is nearly full, the least informative are forgotten");
+  s.add("max_measurements", c.max_measurements, {64U, 16000000U}, "", "of the window's features, likewise");
+  s.add("max_ties", c.max_ties, {16U, 1000000U}, "", "between the window's features, likewise");
   add_association(s.section("association"), c.association);
   const Section odometry = s.section("odometry");
   odometry.add("speed_scale", c.odometry.speed_scale, kSigma, "", "relative error of the speed");
@@ -191,6 +193,10 @@ void add_fusion(const Section& s, FusionConfig& c) {
   solver.add("max_iterations", c.solver.max_iterations, {1, 1000}, "", "Gauss-Newton iterations a cycle");
   solver.add("relative_tolerance", c.solver.relative_tolerance, {0.0, 1.0}, "",
              "stop when the cost falls by less");
+  solver.add("cg_tolerance", c.solver.cg_tolerance, {1e-12, 0.5}, "",
+             "conjugate gradients end at this share of the first residual");
+  solver.add("max_cg_iterations", c.solver.max_cg_iterations, {0, 10000}, "",
+             "of conjugate gradients a step; beyond, the direct solver takes over");
   solver.add("switch_form", c.solver.switch_form, {"linear", "squared"},
              "how a switch enters the cost: s J or s^2 J");
 }

@@ -24,9 +24,8 @@ using testing::run;
 using testing::seconds_of;
 using testing::SimulatedDrive;
 
-std::size_t verified(const CycleResult& cycle) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      cycle.objects, [](const TrackedObject& o) { return o.seen_by_camera && o.seen_by_radar; }));
+std::size_t witnesses(const CycleResult& cycle) {
+  return static_cast<std::size_t>(std::ranges::count_if(cycle.objects, &TrackedObject::witness));
 }
 
 bool same_objects(const std::vector<TrackedObject>& a, const std::vector<TrackedObject>& b) {
@@ -134,7 +133,9 @@ TEST_F(ObjectSensors, RecoverFromStampsThatJump) {
     ASSERT_EQ(cycles.size(), sound_.size());
     for (std::size_t i = 0; i < cycles.size(); ++i) {
       if (seconds_of(cycles[i].lanes.time) < 6 + 0.8) continue;
-      EXPECT_EQ(verified(cycles[i]), verified(sound_[i])) << jump << " s, cycle " << i;
+      // Not all verified tracks: what has come behind the car meanwhile, no camera sees again.
+      EXPECT_GT(witnesses(sound_[i]), 0U);
+      EXPECT_EQ(witnesses(cycles[i]), witnesses(sound_[i])) << jump << " s, cycle " << i;
       break;
     }
   }
