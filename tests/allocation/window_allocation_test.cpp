@@ -193,7 +193,10 @@ std::vector<FeatureSet> sets_at(int cycle, Time now) {
   witnesses.lane_width = LaneWidth{3.5, 0.1};
   const Eigen::Matrix3d covariance = Eigen::Vector3d(0.5, 0.1, 0.01).cwiseAbs2().asDiagonal();
   const auto add = [&](FeatureSet& set, double x, double y) -> Feature& {
-    Feature& feature = set.features.emplace_back(Feature{x, y, 0, 0.6});
+    Feature& feature = set.features.emplace_back();
+    feature.x = x;
+    feature.y = y;
+    feature.confidence = 0.6;
     feature.covariance = covariance;
     return feature;
   };
