@@ -17,7 +17,7 @@ inline constexpr std::size_t kQuadAlignment = 32;
 
 template <typename T>
 struct QuadAllocator {
-  using value_type = T;
+  using value_type = T;  // NOLINT(readability-identifier-naming): the standard's name
   QuadAllocator() = default;
   template <typename Other>
   QuadAllocator(const QuadAllocator<Other>& /*other*/) {}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -60,6 +61,23 @@ inline PlanarBlocks planar_blocks(const PlanarTerm& term) {
   blocks.from_rhs = term.force;
   blocks.from_rhs[2] += term.ux * term.force[1] - term.uy * term.force[0];
   return blocks;
+}
+
+/// Inverts a block that holds position and heading apart, as xx, xy, yy, heading; false if it is
+/// undetermined. That does not depend on the axes, of which one may by chance stand along what is told: hence
+/// beside the larger of the two.
+inline bool invert_block(const Quad& m, Quad& inverse) {
+  constexpr double kLeastDeterminantShare = 1e-13;
+  const double determinant = m[0] * m[2] - m[1] * m[1];
+  const double larger = std::max(m[0], m[2]);
+  if (!(determinant > kLeastDeterminantShare * larger * larger && larger > 0 && m[3] > 0)) return false;
+  inverse = Quad{m[2] / determinant, -m[1] / determinant, m[0] / determinant, 1 / m[3]};
+  return true;
+}
+
+/// Such a block times x, y, heading.
+inline void multiply_block(const Quad& m, const Quad& v, Quad& product) {
+  product = Quad{m[0] * v[0] + m[1] * v[1], m[1] * v[0] + m[2] * v[1], m[3] * v[2], 0};
 }
 
 }  // namespace lanefuse

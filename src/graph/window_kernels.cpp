@@ -8,6 +8,8 @@ namespace lanefuse {
 
 namespace {
 
+// An attribute and half a name cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define LANEFUSE_KERNELS(NAME, TARGET)                                                                \
   TARGET double NAME##_linearize(const WindowGraph& graph, WindowSystem& system) {                    \
     return window_loops::linearize(graph, system);                                                    \
@@ -36,6 +38,7 @@ namespace {
   constexpr WindowKernels NAME{NAME##_linearize, NAME##_cost,   NAME##_reduce_diagonal,               \
                                NAME##_spread,    NAME##_gather, NAME##_product,                       \
                                NAME##_rest};
+// NOLINTEND(bugprone-macro-parentheses)
 
 LANEFUSE_KERNELS(kPlain, )
 #if defined(__x86_64__)

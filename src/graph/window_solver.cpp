@@ -12,8 +12,6 @@ namespace lanefuse {
 
 namespace {
 
-constexpr double kLeastDeterminantShare = 1e-13;
-
 /// Two costs as near as this to each other are the same but for rounding.
 constexpr double kRounding = 1e-13;
 
@@ -32,20 +30,6 @@ double dot(std::span<const Quad> a, std::span<const Quad> b) {
 
 void add_scaled(std::span<Quad> sum, double scale, std::span<const Quad> term) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * term[i];
-}
-
-/// xx, xy, yy, heading of the inverse, or false. What is undetermined does not depend on the axes, of which
-/// one may by chance stand along what is told: hence beside the larger of the two.
-bool invert(const Quad& m, Quad& inverse) {
-  const double determinant = m[0] * m[2] - m[1] * m[1];
-  const double larger = std::max(m[0], m[2]);
-  if (!(determinant > kLeastDeterminantShare * larger * larger && larger > 0 && m[3] > 0)) return false;
-  inverse = Quad{m[2] / determinant, -m[1] / determinant, m[0] / determinant, 1 / m[3]};
-  return true;
-}
-
-void multiply_one(const Quad& m, const Quad& v, Quad& product) {
-  product = Quad{m[0] * v[0] + m[1] * v[1], m[1] * v[0] + m[2] * v[1], m[3] * v[2], 0};
 }
 
 }  // namespace
@@ -173,14 +157,14 @@ double ConjugateGradientSolver::cost(const WindowGraph& graph, SwitchForm form) 
 
 bool ConjugateGradientSolver::invert_landmarks() {
   for (std::size_t r = 0; r < system_.untied; ++r) {
-    if (!invert(system_.information[r], system_.inverses[r])) return false;
+    if (!invert_block(system_.information[r], system_.inverses[r])) return false;
   }
   // For the preconditioner alone: the ties' part without what couples position and heading, so that it still
   // is at least each observation's own.
   for (std::size_t k = 0; k < tied_.size(); ++k) {
     const Eigen::Matrix3d& d = tied_.diagonal(k);
     const Quad apart{d(0, 0), d(0, 1), d(1, 1), d(2, 2)};
-    if (!invert(apart, system_.inverses[system_.untied + k])) return false;
+    if (!invert_block(apart, system_.inverses[system_.untied + k])) return false;
   }
   return tied_.factorise();
 }
@@ -230,7 +214,7 @@ ConjugateGradientSolver::Step ConjugateGradientSolver::find_step(const WindowGra
 /// The right-hand side of the poses' equations, and the landmarks' step for poses that stay.
 void ConjugateGradientSolver::reduce(std::span<Quad> rhs) {
   for (std::size_t r = 0; r < system_.untied; ++r)
-    multiply_one(system_.inverses[r], system_.landmark_rhs[r], landmark_step_[r]);
+    multiply_block(system_.inverses[r], system_.landmark_rhs[r], landmark_step_[r]);
   std::copy(system_.landmark_rhs.begin() + static_cast<std::ptrdiff_t>(system_.untied),
             system_.landmark_rhs.end(), landmark_step_.begin() + static_cast<std::ptrdiff_t>(system_.untied));
   tied_.solve(landmark_step_);

@@ -33,7 +33,7 @@ class Window : public ::testing::Test {
     return window_.add_measurement(window_.graph().chain()[keyframe], feature, seen, {1, 0, 1, 1}, witness);
   }
   void tie(TieKind kind, Id from, Id to) { window_.add_tie(kind, {from, to, {0, 3, 0}}, kNobody); }
-  std::size_t edges(EdgeKind kind) const { return testing::edges_of(window_, kind).size(); }
+  [[nodiscard]] std::size_t edges(EdgeKind kind) const { return testing::edges_of(window_, kind).size(); }
   void prune(double seconds, const Pose2& car) { window_.prune(at(seconds), car); }
 
   FusionConfig config_;

@@ -193,7 +193,7 @@ TEST_F(ObjectSensors, RecoverWhereTheClockIsSet) {
     const auto cycles = run(drive_.rig, stream);
     const auto valid = std::ranges::find_if(cycles, [&](const CycleResult& cycle) {
       const double seconds = seconds_of(cycle.lanes.time) - jump;
-      return seconds > 5.5 && seconds < 7 && verified(cycle) > 0;
+      return seconds > 5.5 && seconds < 7 && witnesses(cycle) > 0;
     });
     ASSERT_NE(valid, cycles.end()) << jump;
     EXPECT_LT(seconds_of(valid->lanes.time) - jump, 5 + 1.6) << jump;
