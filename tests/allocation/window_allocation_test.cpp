@@ -178,39 +178,6 @@ TEST(ConjugateGradientSolver, AllocatesNothingInSteadyState) {
   EXPECT_EQ(of_solver, 0U);
 }
 
-<<<<<<< HEAD
-=======
-/// A cycle's feature sets, as cameras and the object source would make them.
-std::vector<FeatureSet> sets_at(int cycle, Time now) {
-  FeatureSet markings;
-  markings.source = Source::high_resolution_camera;
-  markings.sensor_id = 2;
-  FeatureSet witnesses;
-  witnesses.source = Source::objects;
-  witnesses.sensor_id = 3;
-  witnesses.lane_width = LaneWidth{3.5, 0.1};
-  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.5, 0.1, 0.01).cwiseAbs2().asDiagonal();
-  const auto add = [&](FeatureSet& set, double x, double y) -> Feature& {
-    Feature& feature = set.features.emplace_back();
-    feature.x = x;
-    feature.y = y;
-    feature.confidence = 0.6;
-    feature.covariance = covariance;
-    return feature;
-  };
-  for (int i = 0; i < 20; ++i) {
-    for (const double y : {-1.75, 1.75, 5.25}) add(markings, 3 * i + 3 - std::fmod(1.2 * cycle, 3), y);
-  }
-  for (const double y : {-1.75, 1.75}) {
-    Feature& feature = add(witnesses, 40, y);
-    feature.track_id = 7;
-    feature.side = y > 0 ? Side::left : Side::right;
-  }
-  markings.measured_at = witnesses.measured_at = now;
-  return {markings, witnesses};
-}
-
->>>>>>> e3a94695d750de4a0413d1857972c5ccea3035f2
 TEST(FeatureFusion, AllocatesNothingInSteadyState) {
   const FusionConfig config;
   FeatureFusion fusion(config, std::make_unique<ConjugateGradientSolver>());
