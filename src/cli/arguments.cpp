@@ -26,8 +26,9 @@ void add_run(CommandLine& line) {
   CLI::Option* drive = command.add_option("drive", options.drive, "the recorded drive (.mcap)");
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
-  command.add_option("--solver", options.solver,
-                     "another solver for the graph, for comparison: direct, ceres, ceres:SETTING")
+  command
+      .add_option("--solver", options.solver,
+                  "another solver for the graph, for comparison: direct, ceres, ceres:SETTING")
       ->capture_default_str();
   command.add_option("--dump-graphs", options.graph_folder,
                      "a folder for each cycle's graph before it is solved (000000.g2o, ...)");
