@@ -43,7 +43,7 @@ class SchurSolver final : public GraphSolver {
   SolveResult solve(PoseGraph& graph, const SolverConfig& config) override;
 
  private:
-  void prepare(const PoseGraph& graph, const SolverConfig& config);
+  void begin(const PoseGraph& graph, const SolverConfig& config);
   SolveStatus iterate(const SolverConfig& config, SolveResult& result);
   std::optional<SolveStatus> advance(double tolerance, double& best_chi2);
   std::optional<SolveStatus> find_step();
@@ -74,14 +74,14 @@ SolveResult SchurSolver::solve(PoseGraph& graph, const SolverConfig& config) {
     result.status = *fault;
     return result;
   }
-  prepare(graph, config);
+  begin(graph, config);
   result.initial_chi2 = result.final_chi2 = terms_.evaluate(places_);
   result.status = std::isfinite(result.initial_chi2) ? iterate(config, result) : SolveStatus::not_finite;
   if (result.ok()) write_back(graph);
   return result;
 }
 
-void SchurSolver::prepare(const PoseGraph& graph, const SolverConfig& config) {
+void SchurSolver::begin(const PoseGraph& graph, const SolverConfig& config) {
   places_.clear();
   for (const Vertex& v : graph.vertices) places_.push_back(placed(v.pose.x, v.pose.y, v.pose.heading));
   best_places_ = places_;
