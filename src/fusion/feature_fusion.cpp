@@ -70,7 +70,7 @@ FusionResult FeatureFusion::process(const Cycle& cycle, const LaneEstimator::Sta
 
   window_.advance(cycle.time, odometry_from_vehicle_);
   window_.prune(cycle.time, odometry_from_vehicle_);
-  forget_tracks();
+  forget_tracks(cycle.time);
 
   association_.clear();
   const Pose2 vehicle_from_window = odometry_from_vehicle_.inverse();
@@ -168,7 +168,7 @@ void FeatureFusion::remember(Id id, const Feature& feature, const Attachment& at
 void FeatureFusion::tie(const FeatureSet& set) {
   for (std::size_t i = 0; i < sampled_.size(); ++i) {
     if (sampled_[i].track_id == kNoTrack || fused_of_[i] == WindowGraph::kNone) continue;
-    if (config_.smoothing_edges) smooth(sampled_[i], fused_of_[i]);
+    if (config_.smoothing_edges) smooth(sampled_[i], fused_of_[i], set.measured_at);
     if (!config_.width_edges || !set.lane_width || sampled_[i].side != Side::right) continue;
     for (std::size_t j = 0; j < sampled_.size(); ++j) {
       const bool partner = sampled_[j].track_id == sampled_[i].track_id && sampled_[j].side == Side::left &&
@@ -182,7 +182,7 @@ void FeatureFusion::tie(const FeatureSet& set) {
   }
 }
 
-void FeatureFusion::smooth(const Feature& feature, Id fused) {
+void FeatureFusion::smooth(const Feature& feature, Id fused, Time measured_at) {
   const auto end = std::find_if(track_ends_.begin(), track_ends_.end(), [&](const TrackEnd& e) {
     return e.track_id == feature.track_id && e.side == feature.side;
   });
@@ -191,9 +191,10 @@ void FeatureFusion::smooth(const Feature& feature, Id fused) {
     return;
   }
   if (end == track_ends_.end()) {
-    track_ends_.push_back({feature.track_id, feature.side, fused});
+    track_ends_.push_back({feature.track_id, feature.side, fused, measured_at});
     return;
   }
+  end->time = measured_at;
   const Id previous = std::exchange(end->feature, fused);
   if (previous == fused) return;
   // The paper's target is 0 [eq. 9]: along the road nothing is said, and one cycle's turn of the road is far
@@ -202,8 +203,13 @@ void FeatureFusion::smooth(const Feature& feature, Id fused) {
                   {feature.track_id, feature.side});
 }
 
-void FeatureFusion::forget_tracks() {
-  std::erase_if(track_ends_, [&](const TrackEnd& end) { return !window_.graph().is_alive(end.feature); });
+/// Also those that have not been seen for as long as a feature would be remembered: beside a car that stands,
+/// features live on and many pass by.
+void FeatureFusion::forget_tracks(Time now) {
+  const Duration most = from_seconds(config_.drop_age_s);
+  std::erase_if(track_ends_, [&](const TrackEnd& end) {
+    return !window_.graph().is_alive(end.feature) || now - end.time > most;
+  });
 }
 
 void FeatureFusion::read_out() {

@@ -65,6 +65,7 @@ class FeatureFusion {
     std::int64_t track_id;
     Side side;
     Id feature;
+    Time time;
   };
   void add_set(const FeatureSet& set, const Cycle& cycle, InputAccounting& accounting);
   void sample_within_reach(ClothoidMeasurement clothoid);
@@ -74,8 +75,8 @@ class FeatureFusion {
   void raise_confidence(Id id, const Feature& feature, Source source);
   void remember(Id id, const Feature& feature, const Attachment& at);
   void tie(const FeatureSet& set);
-  void smooth(const Feature& feature, Id fused);
-  void forget_tracks();
+  void smooth(const Feature& feature, Id fused, Time measured_at);
+  void forget_tracks(Time now);
   void read_out();
 
   const FusionConfig& config_;

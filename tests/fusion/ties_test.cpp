@@ -70,6 +70,32 @@ TEST(Ties, SurviveTheLossOfTheirPast) {
   EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), size.features - 2);
 }
 
+TEST(Ties, EndWithATrackThatWasAwayForAsLongAsAFeatureIsKept) {
+  FusionConfig config;
+  config.drop_age_s = 1;
+  FusionDrive drive(config);
+  drive.step({}, {testing::vehicle_set(drive, 30, 0)});
+  const auto stand = [&](int cycles) {
+    // A camera keeps the features alive.
+    for (int i = 0; i < cycles; ++i)
+      drive.step({}, {drive.set(Source::serial_camera,
+                                {testing::feature_at({30, 1.75, 0}), testing::feature_at({30, -1.75, 0})})});
+  };
+  stand(5);
+  drive.step({}, {testing::vehicle_set(drive, 40, 0)});
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 2U);
+  stand(40);
+  drive.step({}, {testing::vehicle_set(drive, 50, 0)});
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 0U)
+      << "the features at 40 m have gone, too";
+  stand(40);
+  drive.step({}, {testing::vehicle_set(drive, 30, 0)});
+  stand(40);
+  drive.step({}, {testing::vehicle_set(drive, 33, 0)});
+  EXPECT_EQ(edges_of(drive.window(), EdgeKind::smoothing).size(), 0U)
+      << "those at 30 m are there, but it was long ago";
+}
+
 TEST(SwitchStates, TellWhereAWitnessJumped) {
   FusionDrive drive;
   for (int i = 0; i < 8; ++i) {
