@@ -55,16 +55,18 @@ void take_name(ObjectTrack& young, const ObjectTrack& gone) {
 }
 
 bool is_double(const ObjectTrack& young, const ObjectTrack& old, double same_along) {
-  constexpr double kAcross = 1.1;  // [m]
-  constexpr double kAsFast = 2.5;  // [m/s]
+  constexpr double kAcross = 1.1;           // [m]
+  constexpr double kMostDoubtAcross = 0.9;  // [m]
+  constexpr double kAsFast = 2.5;           // [m/s]
   if (young.id <= old.id || !old.confirmed) return false;
   const Eigen::Vector2d ahead(std::cos(old.heading), std::sin(old.heading));
   const Eigen::Vector2d apart = young.position() - old.position();
   const double along = apart.dot(ahead);
   const double across = ahead.x() * apart.y() - ahead.y() * apart.x();
   const double doubt = std::sqrt(young.state.covariance.block<2, 2>(kTrackX, kTrackX).trace());
-  return std::abs(across) < kAcross + doubt && along > -same_along - doubt && along < old.length() - 0.5 &&
-         (young.velocity() - old.velocity()).norm() < kAsFast;
+  // However little is known of one that others hide: what drives a lane further is another vehicle.
+  return std::abs(across) < kAcross + std::min(doubt, kMostDoubtAcross) && along > -same_along - doubt &&
+         along < old.length() - 0.5 && (young.velocity() - old.velocity()).norm() < kAsFast;
 }
 
 void merge_doubles(std::vector<ObjectTrack>& tracks, double same_along) {
