@@ -12,6 +12,7 @@
 #include "benchmark/judged_cycles.hpp"
 #include "benchmark/scene.hpp"
 #include "benchmark/variant.hpp"
+#include "core/percentile.hpp"
 #include "evaluation/evaluation_json.hpp"
 #include "evaluation/serial_camera_baseline.hpp"
 #include "pipeline/perception.hpp"
@@ -35,13 +36,6 @@ std::optional<SurveyedTruthConfig> survey_of(const DriveKey& key) {
   return survey;
 }
 
-/// By nearest rank, as in the report.
-double percentile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-  return sorted[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
-
 /// Seconds spent, by what they were spent on.
 class Times {
  public:
@@ -59,7 +53,6 @@ class Times {
 
   void write(Json& line) {
     if (!clock_) return;
-    std::sort(cycle_ms.begin(), cycle_ms.end());
     line["cycle_ms"] = {{"p50", percentile(cycle_ms, 0.5)},
                         {"p99", percentile(cycle_ms, 0.99)},
                         {"max", percentile(cycle_ms, 1)}};

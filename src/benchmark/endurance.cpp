@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/percentile.hpp"
 #include "pipeline/perception.hpp"
 #include "simulation/drive_simulation.hpp"
 #include "simulation/preset.hpp"
@@ -15,14 +16,6 @@
 namespace lanefuse {
 
 namespace {
-
-/// By nearest rank; 0 for none. Sorts.
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
 
 /// Times of the cycles of a stretch. Its memory is set aside once, so that it does not grow beside what is
 /// measured.

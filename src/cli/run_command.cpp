@@ -17,6 +17,7 @@
 #include "cli/run_sidecar.hpp"
 #include "cli/window_dump.hpp"
 #include "core/error.hpp"
+#include "core/percentile.hpp"
 #include "peers/named_solver.hpp"
 #include "pipeline/graph_estimator.hpp"
 #include "pipeline/perception.hpp"
@@ -89,14 +90,6 @@ struct RunTotals {
   }
   [[nodiscard]] double duration() const { return first ? to_seconds(last - *first) : 0; }
 };
-
-/// By nearest rank, as in the report.
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
 
 PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {
   PerceptionConfig config = default_config(recorded);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/percentile.hpp"
 #include "drawing/legend.hpp"
 
 namespace lanefuse {
@@ -87,14 +88,6 @@ Figure draw_chart(const Chart& chart) {
   if (!has_data(chart)) say_no_data(svg, axes);
   for (const Series& series : chart.series) draw_series(svg, axes, series);
   return {kWidth, top + kPlotHeight + 44, chart.title, svg.elements()};
-}
-
-double percentile(std::vector<double> values, double share) {
-  assert(!values.empty());
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max(1.0, rank)) - 1;
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 Figure draw_cycle_times(const std::vector<double>& cycle_ms) {

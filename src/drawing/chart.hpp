@@ -35,7 +35,4 @@ Figure draw_chart(const Chart& chart);
 /// says so.
 Figure draw_cycle_times(const std::vector<double>& cycle_ms);
 
-/// The value that `share` of `values` (not empty) do not exceed, by nearest rank.
-double percentile(std::vector<double> values, double share);
-
 }  // namespace lanefuse

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/percentile.hpp"
 #include "drawing/chart.hpp"
 #include "drawing/html.hpp"
 

@@ -7,15 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "core/percentile.hpp"
+
 namespace lanefuse {
 
-double SolverTimes::percentile(double share) const {
-  if (ms.empty()) return 0;
-  std::vector<double> sorted = ms;
-  std::sort(sorted.begin(), sorted.end());
-  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
-  return sorted[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
+double SolverTimes::percentile(double share) const { return lanefuse::percentile(ms, share); }
 
 SolverRace::SolverRace(std::unique_ptr<GraphSolver> own, std::unique_ptr<GraphSolver> peer,
                        MillisecondClock clock)

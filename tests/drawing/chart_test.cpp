@@ -76,13 +76,6 @@ TEST(DrawChart, SaysSoWhenThereIsNoData) {
   EXPECT_FALSE(testing::prints_nan(only_nan.elements));
 }
 
-TEST(Percentile, IsTheNearestRank) {
-  EXPECT_EQ(percentile({3}, 0.5), 3);
-  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.5), 2);
-  EXPECT_EQ(percentile({4, 1, 3, 2}, 1), 4);
-  EXPECT_EQ(percentile({4, 1, 3, 2}, 0.99), 4);
-}
-
 TEST(DrawCycleTimes, NamesThePercentilesAndPutsEveryCycleIntoABar) {
   const Figure figure = draw_cycle_times({1.0, 1.1, 1.2, 5.0});
   EXPECT_EQ(testing::malformed(standalone_svg(figure)), "");
