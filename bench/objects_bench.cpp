@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 
 #include "objects/object_tracker.hpp"
+#include "objects/radar_alignment.hpp"
 #include "objects/sensor_trust.hpp"
 
 namespace {
@@ -86,12 +87,16 @@ void track_the_fullest_road(benchmark::State& state) {
   }
   ObjectTracker tracker{{}};
   SensorTrust trust{{}};
+  RadarAlignment alignment{{}};
   std::vector<TrackedObject> objects;
   std::size_t next = 0;
   const auto cycle = [&] {
     for (int i = 0; i < 2; ++i) {
-      const SightingSet& look = looks[next++];
-      if (trust.believe(look, 0)) tracker.add(look);
+      SightingSet& look = looks[next++];
+      if (!trust.believe(look, 0)) continue;
+      alignment.look(look);
+      alignment.correct(look);
+      tracker.add(look);
     }
     tracker.write(looks[next - 1].measured_at, looks[next - 1].odometry_from_vehicle, objects);
   };

@@ -141,6 +141,7 @@ void add_sources(const Section& s, SourcesConfig& c) {
   add_radar(objects.section("short_range_radar"), c.objects.sensors.short_range_radar);
   add_object_camera(objects.section("camera"), c.objects.sensors.camera);
   add_trust_settings(objects.section("trust"), c.objects.trust);
+  add_alignment_settings(objects.section("alignment"), c.objects.alignment);
   const Section ego = s.section("ego_path");
   ego.add("enabled", c.ego_path.enabled,
           "whether the car itself bears witness of its lane; not in the paper");

@@ -23,4 +23,15 @@ void add_trust_settings(const Section& s, SensorTrustConfig& c) {
   s.add("blind_s", c.blind_s, {0.5, 3.5}, "s", "without a word beside vehicles: blind");
 }
 
+void add_alignment_settings(const Section& s, RadarAlignmentConfig& c) {
+  constexpr std::pair<double, double> kDegrees{1e-6, 5.0};
+  constexpr std::pair<double, double> kDrift{0.0, 1.0};
+  s.add("enabled", c.enabled, "whether radars' turns are found by things that stand, and corrected");
+  s.add("sigma_deg", c.sigma_deg, kDegrees, "deg", "of a mounting before anything is known");
+  s.add("drift_deg", c.drift_deg, kDrift, "deg/sqrt(s)", "by which mountings settle");
+  s.add("most_deg", c.most_deg, {0.0, 5.0}, "deg", "more is never corrected");
+  s.add("yaw_rate_sigma_deg", c.yaw_rate_sigma_deg, kDegrees, "deg/s", "that the yaw rate is off by");
+  s.add("yaw_rate_drift_deg", c.yaw_rate_drift_deg, kDrift, "deg/s/sqrt(s)", "by which that changes");
+}
+
 }  // namespace lanefuse

@@ -10,4 +10,7 @@ namespace lanefuse {
 /// The settings of when radars and object cameras are believed.
 void add_trust_settings(const Section& s, SensorTrustConfig& c);
 
+/// The settings of what is learned of radars' mountings.
+void add_alignment_settings(const Section& s, RadarAlignmentConfig& c);
+
 }  // namespace lanefuse

@@ -81,7 +81,12 @@ bool ObjectSource::follow(const SourceContext& context) {
   // The dead reckoning began anew, in another frame: what the tracker knows is nowhere in it.
   const MotionSample& first = context.motion.front();
   const bool anew = last_look_ && first.time > *last_look_ && first.odometry_from_vehicle == Pose2{};
-  if (anew) tracker_.reset();
+  if (anew) {
+    tracker_.reset();
+    alignment_.lose_things();
+  }
+  alignment_.look(look_);
+  alignment_.correct(look_);
   if (!tracker_.add(look_)) return false;
   last_look_ = std::max(last_look_.value_or(look_.measured_at), look_.measured_at);
   return true;
@@ -158,6 +163,7 @@ void ObjectSource::report_list(Time now, const SourceContext& context) {
 void ObjectSource::reset() {
   tracker_.reset();
   trust_.reset();
+  alignment_.reset();
   last_list_.reset();
   last_look_.reset();
   last_witness_.reset();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "objects/object_tracker.hpp"
+#include "objects/radar_alignment.hpp"
 #include "objects/sensor_trust.hpp"
 #include "sources/feature_source.hpp"
 #include "sources/sighting_maker.hpp"
@@ -20,6 +21,7 @@ struct ObjectSourceConfig {
   ObjectTrackerConfig tracker;
   SightingMakerConfig sensors;
   SensorTrustConfig trust;
+  RadarAlignmentConfig alignment;
 };
 
 /// Other vehicles as witnesses of their lanes [IROS16, sec. II-E4]: from the object lists of a production
@@ -27,7 +29,11 @@ struct ObjectSourceConfig {
 class ObjectSource final : public FeatureSource {
  public:
   explicit ObjectSource(const ObjectSourceConfig& config)
-      : config_(config), maker_(config.sensors), tracker_(config.tracker), trust_(config.trust) {}
+      : config_(config),
+        maker_(config.sensors),
+        tracker_(config.tracker),
+        trust_(config.trust),
+        alignment_(config.alignment) {}
   InputAccounting add(const Measurement& measurement, const SourceContext& context) override;
   void collect(Time now, const SourceContext& context, std::vector<FeatureSet>& sets) override;
   void reset() override;
@@ -39,11 +45,15 @@ class ObjectSource final : public FeatureSource {
   /// The ids of the sensors whose detections are left out, as they contradict themselves or the others.
   [[nodiscard]] std::span<const std::uint32_t> distrusted() const { return trust_.distrusted(); }
 
+  /// By how much radars were found to be turned against what the rig says.
+  [[nodiscard]] const RadarAlignment& alignment() const { return alignment_; }
+
  private:
   ObjectSourceConfig config_;
   SightingMaker maker_;
   ObjectTracker tracker_;
   SensorTrust trust_;
+  RadarAlignment alignment_;
   SightingSet look_;
   std::optional<Time> last_look_;
   std::optional<Time> last_witness_;  ///< the look as of which the tracks bore witness last
