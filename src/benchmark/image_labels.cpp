@@ -59,7 +59,7 @@ Points drawn(const Boundary& boundary, const Pose2& then_from_now, const GroundP
              double range) {
   Points line;
   for (double x = kLineBegin; x <= range + kLineBeyond; x += kLineStep) {
-    const Eigen::Vector2d now(x, boundary.clothoid.y(x));
+    const Eigen::Vector2d now(x, lateral_at(boundary, x));
     const auto pixel = projection.pixel(then_from_now * now);
     if (pixel && (line.empty() || pixel->y() < line.back().y())) line.push_back(*pixel);
   }

@@ -55,7 +55,7 @@ class LabelledDrive {
     if (const Lane* lane = ego_lane(estimate)) {
       const Boundary* left = find_boundary(estimate, lane->left_boundary);
       const Boundary* right = find_boundary(estimate, lane->right_boundary);
-      widths_.push_back(left->clothoid.y(kAhead) - right->clothoid.y(kAhead));
+      widths_.push_back(lateral_at(*left, kAhead) - lateral_at(*right, kAhead));
     }
     for (const CameraView& view : perception_.camera_views()) {
       const auto frame = frames_.find(view.measured_at);

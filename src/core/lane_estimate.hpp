@@ -20,6 +20,9 @@ struct BoundaryPoint {
   double x = 0;
   double y = 0;
   double sigma = 0;  ///< one standard deviation across [m]
+  /// The protection level: the error across stays inside this [m], but for a rate that docs/road.md states. 0
+  /// where the estimator vouches for none.
+  double protection = 0;
 };
 
 inline constexpr double kPointSpacing = 2.0;  ///< [m] between the sampled points
@@ -34,8 +37,29 @@ struct Boundary {
   double confidence = 0;                                 ///< in [0, 1]
   MarkingEvidence marking;
   std::array<std::uint16_t, kSourceCount> support{};  ///< fused features behind it in this cycle, a source
-  std::vector<BoundaryPoint> points;                  ///< every kPointSpacing from range_begin to range_end
+  /// Every kPointSpacing from range_begin to range_end: what the boundary *is*. The clothoid says the same as
+  /// well as one cubic can; in sharp bends only these points follow the road.
+  std::vector<BoundaryPoint> points;
 };
+
+/// Where the boundary is at x [m]: between its points, else (beyond their ends, or without any) on its
+/// clothoid.
+double lateral_at(const Boundary& boundary, double x);
+/// The lateral sigma there: between the points, else the clothoid's.
+double sigma_at(const Boundary& boundary, double x);
+
+/// A lane's middle at one distance, halfway between its boundaries along y.
+struct LanePoint {
+  double x = 0;
+  double y = 0;
+  double heading = 0;      ///< [rad]
+  double curvature = 0;    ///< [1/m]
+  double width = 0;        ///< [m] across, between the centres of the markings
+  double sigma = 0;        ///< of the middle, across [m]
+  double width_sigma = 0;  ///< [m]
+};
+
+inline constexpr double kLanePointSpacing = 10.0;  ///< [m] between the points of a lane's middle
 
 /// A lane lies between two boundaries. Its neighbours are named by lane id.
 struct Lane {
@@ -44,6 +68,11 @@ struct Lane {
   std::uint64_t right_boundary = 0;
   std::optional<std::uint64_t> left_lane;
   std::optional<std::uint64_t> right_lane;
+  double range_begin = 0;         ///< [m] both of its boundaries speak from here
+  double range_end = 0;           ///< [m] to here
+  double confidence = 0;          ///< the lesser of its boundaries' [0, 1]
+  double availability = 0;        ///< share of the last 10 s in which it was there to 60 m
+  std::vector<LanePoint> centre;  ///< every kLanePointSpacing from range_begin to range_end
 };
 
 enum class EstimateStatus : std::uint8_t { ok = 0, degraded = 1, invalid = 2 };

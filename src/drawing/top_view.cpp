@@ -49,7 +49,7 @@ Axis lateral_axis(const TopView& view) {
   for (const FusedFeature& fused : view.debug.features) range.include(fused.feature.x, fused.feature.y);
   for (const Boundary& boundary : view.estimate.boundaries) {
     for (double x = boundary.range_begin; x <= boundary.range_end; x += 5)
-      range.include(x, boundary.clothoid.y(x));
+      range.include(x, lateral_at(boundary, x));
   }
   return range.axis();
 }

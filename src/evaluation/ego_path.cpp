@@ -25,7 +25,7 @@ std::optional<double> centre_at(const LaneEstimate& estimate, double x) {
   if (x < std::max(left.range_begin, right.range_begin) || x > std::min(left.range_end, right.range_end)) {
     return std::nullopt;
   }
-  return (left.clothoid.y(x) + right.clothoid.y(x)) / 2;
+  return (lateral_at(left, x) + lateral_at(right, x)) / 2;
 }
 
 /// Where a circle that leaves the origin along x crosses `x`, or nothing if it turns back before.

@@ -19,7 +19,7 @@ bool is_false(const Boundary& boundary, const TrueLanes& lanes, const Lines& lin
   bool any_truth = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lanes.bounds_a_lane(i) || !lines[i].y(x)) continue;
-    if (std::abs(lines[i].deviation({x, boundary.clothoid.y(x)})) <= kFalseBeyond) return false;
+    if (std::abs(lines[i].deviation({x, lateral_at(boundary, x)})) <= kFalseBeyond) return false;
     any_truth = true;
   }
   return any_truth;
@@ -28,8 +28,8 @@ bool is_false(const Boundary& boundary, const TrueLanes& lanes, const Lines& lin
 bool is_false(const Boundary& left, const Boundary& right, const TrueLanes& lanes, const Lines& lines) {
   const double x =
       std::max({left.range_begin, right.range_begin, std::min({kJudgedAt, left.range_end, right.range_end})});
-  const double left_y = left.clothoid.y(x);
-  const double right_y = right.clothoid.y(x);
+  const double left_y = lateral_at(left, x);
+  const double right_y = lateral_at(right, x);
   const double centre = (left_y + right_y) / 2;
   bool any_truth = false;
   bool in_a_lane = false;

@@ -198,7 +198,10 @@ void LaneModel::write_lanes(LaneEstimate& estimate) {
     const Boundary& right = estimate.boundaries[b + 1];
     const double width = left.clothoid.lateral_offset - right.clothoid.lateral_offset;
     if (width < config_.lane_width_min || width > config_.lane_width_max) continue;
-    Lane lane{lane_id(left.id, right.id), left.id, right.id, {}, {}};
+    Lane lane;
+    lane.id = lane_id(left.id, right.id);
+    lane.left_boundary = left.id;
+    lane.right_boundary = right.id;
     if (!estimate.lanes.empty() && estimate.lanes.back().right_boundary == lane.left_boundary) {
       lane.left_lane = estimate.lanes.back().id;
       estimate.lanes.back().right_lane = lane.id;

@@ -78,6 +78,8 @@ void check(const PerceptionConfig& config, const std::string& name) {
 
 }  // namespace
 
+const char* to_string(EstimatorKind kind) { return kind == EstimatorKind::road ? "road" : "graph"; }
+
 PerceptionConfig default_config(WitnessRule rule) {
   PerceptionConfig config;
   if (rule == WitnessRule::radar_only) {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
 
 #include "fusion/fusion_config.hpp"
 #include "lanes/lane_model_config.hpp"
+#include "road/road_config.hpp"
 #include "sources/camera_images.hpp"
 #include "sources/dead_reckoning.hpp"
 #include "sources/ego_path_source.hpp"
@@ -28,8 +30,13 @@ struct SourcesConfig {
   LaneSegmentationSourceConfig lane_segmentation;
 };
 
+/// What fuses: the paper's graph and lane model, or the road-level estimator.
+enum class EstimatorKind : std::uint8_t { graph = 0, road = 1 };
+const char* to_string(EstimatorKind kind);
+
 /// Everything that can be set. Each module owns its struct; here they meet.
 struct PerceptionConfig {
+  EstimatorKind estimator = EstimatorKind::graph;
   double cycle_hz = 12.5;           ///< [Hz] cycles a second of recorded time
   double reorder_window_s = 0.2;    ///< [s] measurements older than this at their cycle are dropped
   double silence_s = 0.5;           ///< [s] after which a source that has spoken counts as unavailable
@@ -37,6 +44,7 @@ struct PerceptionConfig {
   SourcesConfig sources;
   FusionConfig fusion;
   LaneModelConfig lanes;
+  RoadConfig road;
 };
 
 /// The defaults for a drive by the witness rule that it was recorded with.

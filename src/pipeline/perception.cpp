@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pipeline/graph_estimator.hpp"
+#include "road/road_estimator.hpp"
 
 namespace lanefuse {
 namespace {
@@ -88,6 +89,11 @@ std::vector<std::unique_ptr<FeatureSource>> make_sources(const SourcesConfig& co
   return sources;
 }
 
+std::unique_ptr<LaneEstimator> make_estimator(const PerceptionConfig& config) {
+  if (config.estimator == EstimatorKind::road) return std::make_unique<RoadEstimator>(config.road);
+  return std::make_unique<GraphEstimator>(config.fusion, config.lanes);
+}
+
 }  // namespace
 
 MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig)
@@ -98,7 +104,7 @@ MultiLanePerception::MultiLanePerception(const PerceptionConfig& config, Rig rig
       dead_reckoning_(config.sources.odometry),
       images_(config.sources.images),
       sources_(make_sources(config.sources)),
-      estimator_(std::make_unique<GraphEstimator>(config.fusion, config.lanes)) {
+      estimator_(make_estimator(config)) {
   if (!config.sources.objects.enabled) return;
   auto objects = std::make_unique<ObjectSource>(config.sources.objects);
   objects_ = objects.get();

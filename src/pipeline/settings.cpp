@@ -18,6 +18,8 @@ constexpr Range kDegrees{1e-6, 180.0};
 constexpr Range kShare{0.0, 1.0};
 
 void add_general(const Section& s, PerceptionConfig& c) {
+  s.add("estimator", c.estimator, {"graph", "road"},
+        "what fuses: the paper's graph, or the road-level estimator");
   s.add("cycle_hz", c.cycle_hz, {1.0, 100.0}, "Hz", "cycles a second of recorded time");
   s.add("reorder_window_s", c.reorder_window_s, {0.0, 2.0}, "s",
         "measurements older than this at their cycle are dropped");
