@@ -42,6 +42,12 @@ struct MarkingEvidence {
 
 inline constexpr std::int64_t kNoTrack = -1;
 
+/// Which line of the road a measurement truly is of, where a simulation says so. Never recorded; no estimator
+/// looks at it but a benchmark's oracle, which shows what perfect association would give.
+using LineLabel = std::int32_t;
+inline constexpr LineLabel kNoLabel = -1;  ///< nobody says
+inline constexpr LineLabel kNoLine = -2;   ///< of no line: an outlier
+
 /// The generic lane feature [IROS16, eq. 1]: f = [x, y, theta, c, Sigma], in the vehicle frame at its set's
 /// stamp.
 ///
@@ -59,6 +65,7 @@ struct Feature {
   Side side = Side::none;
   MarkingEvidence marking;
   bool changing_lane = false;  ///< its witness is between two lanes: nothing is smooth along its trail
+  LineLabel label = kNoLabel;
 };
 
 /// Which boundary of the ego lane a serial camera's clothoid describes, with what the camera knows of it.
@@ -72,6 +79,7 @@ struct ClothoidMeasurement {
   Side side = Side::none;
   MarkingEvidence marking;
   std::optional<double> marking_width = {};  ///< [m] of the paint, where the camera measured it
+  LineLabel label = kNoLabel;
 };
 
 /// An error that all features of one frame share: they lean together, and are not independent.

@@ -90,6 +90,9 @@ struct TrackedObject {
   std::optional<Time> last_camera = {};  ///< when a camera measured it last
   bool changing_lane = false;            ///< on its way between two lanes: no witness of either
   bool witness = false;                  ///< bore witness of its lane in this cycle
+  // The lines at its lane's edges, for a benchmark's oracle: kNoLine while it is between lanes.
+  LineLabel left_label = kNoLabel;
+  LineLabel right_label = kNoLabel;
 };
 
 struct ObjectList {
