@@ -2,14 +2,128 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "road/road_estimator.hpp"
 
+#include <algorithm>
+
 namespace lanefuse {
+namespace {
+
+/// How far beyond its ends the dead reckoning may be stretched to a measurement's stamp.
+constexpr Duration kReach = std::chrono::milliseconds(100);
+constexpr double kLongestStep = 60;  ///< [m] or more in one cycle: the path began anew
+
+}  // namespace
+
+RoadEstimator::RoadEstimator(const RoadConfig& config)
+    : config_(config),
+      state_(config),
+      paint_(config),
+      tracked_lane_(config),
+      vehicles_(config),
+      births_(config),
+      writer_(config) {}
 
 const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   estimate_.time = cycle.time;
+  estimate_.inputs = {};
+  Pose2 odometry_from_vehicle;
+  if (cycle.motion.empty() || !pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle)) {
+    give_up(StatusReason::no_motion);
+    return estimate_;
+  }
+  estimate_.speed = cycle.motion.back().speed;
+  estimate_.yaw_rate = cycle.motion.back().yaw_rate;
+  drive(odometry_from_vehicle, cycle.time);
+  for (RoadLine& line : state_.lines()) line.paint = line.tracked = line.witnessed = 0;
+  stage_done_(Stage::association);
+  for (const FeatureSet& set : cycle.features) take(set, cycle, odometry_from_vehicle);
+  births_.found_lines(state_);
+  births_.forget_lines(state_);
+  stage_done_(Stage::solve);
+  state_.rebuild_axis();
+  writer_.write(state_, estimate_);
+  judge();
+  stage_done_(Stage::lane_model);
   return estimate_;
 }
 
+void RoadEstimator::drive(const Pose2& odometry_from_vehicle, Time now) {
+  const Pose2 before = last_odometry_from_vehicle_.value_or(odometry_from_vehicle);
+  const Pose2 moved = before.inverse() * odometry_from_vehicle;
+  const double seconds = last_odometry_from_vehicle_ ? to_seconds(now - last_cycle_) : 0;
+  last_odometry_from_vehicle_ = odometry_from_vehicle;
+  last_cycle_ = now;
+  if (moved.position().norm() > kLongestStep || seconds > 5) {
+    state_.clear();
+    births_.clear();
+    return;
+  }
+  const double driven = state_.driven();
+  const double heading = state_.numbers().mean(kHeading);
+  state_.drive(moved, seconds);
+  births_.move((rotation(heading) * moved.position()).y(), state_.driven() - driven);
+}
+
+void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2& odometry_from_vehicle) {
+  Pose2 odometry_from_measured;
+  const std::size_t items = set.features.size() + set.clothoids.size();
+  if (!pose_at(cycle.motion, set.measured_at, kReach, odometry_from_measured)) {
+    estimate_.inputs.dropped += items;
+    return;
+  }
+  const Pose2 now_from_measured = odometry_from_vehicle.inverse() * odometry_from_measured;
+  std::size_t used = 0;
+  if (!set.clothoids.empty()) {
+    const double seconds = last_tracked_ ? to_seconds(set.measured_at - *last_tracked_) : 1;
+    last_tracked_ = set.measured_at;
+    used += tracked_lane_.take(set, now_from_measured, std::max(0.0, seconds), state_);
+  }
+  if (!set.features.empty()) {
+    const bool vehicles = set.features.front().track_id != kNoTrack;
+    if (vehicles) {
+      used += 2 * vehicles_.take(set, now_from_measured, state_);
+    } else {
+      used += paint_.take(set, now_from_measured, state_);
+      births_.gather(paint_.strays(), state_);
+    }
+  }
+  used = std::min(used, items);
+  estimate_.inputs.used += used;
+  estimate_.inputs.dropped += items - used;
+  for (RoadLine& line : state_.lines()) {
+    if (line.paint + line.tracked + line.witnessed == 0 || line.seen_at == state_.driven()) continue;
+    line.seen_for += std::min(20.0, state_.driven() - line.seen_at);
+    line.seen_at = state_.driven();
+  }
+}
+
+void RoadEstimator::judge() {
+  estimate_.status = EstimateStatus::ok;
+  estimate_.reason = StatusReason::none;
+  if (estimate_.boundaries.empty()) {
+    estimate_.status = EstimateStatus::invalid;
+    estimate_.reason = StatusReason::warming_up;
+  } else if (!ego_lane(estimate_)) {
+    estimate_.status = EstimateStatus::degraded;
+    estimate_.reason = StatusReason::no_ego_lane;
+  }
+}
+
+void RoadEstimator::give_up(StatusReason reason) {
+  estimate_.status = EstimateStatus::invalid;
+  estimate_.reason = reason;
+  estimate_.speed = 0;
+  estimate_.yaw_rate = 0;
+  estimate_.boundaries.clear();
+  estimate_.lanes.clear();
+  debug_ = {};
+}
+
 void RoadEstimator::reset() {
+  state_.clear();
+  births_.clear();
+  writer_.clear();
+  last_odometry_from_vehicle_.reset();
+  last_tracked_.reset();
   estimate_ = {};
   debug_ = {};
 }

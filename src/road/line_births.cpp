@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "road/line_births.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lanefuse {
+namespace {
+
+constexpr double kReach = 60;      ///< [m] paint further away founds no line
+constexpr double kFarAside = 14;   ///< [m]
+constexpr double kSame = 0.4;      ///< [m] of one candidate
+constexpr double kApart = 2.3;     ///< [m] from lines that are known
+constexpr double kFrames = 5;      ///< that must have seen it
+constexpr double kPerFrame = 2.5;  ///< features of it in a frame, on average
+constexpr double kLength = 18;     ///< [m] along which it must have been seen
+constexpr double kMemory = 60;     ///< [m] driven, over which it is forgotten
+constexpr std::size_t kMost = 32;
+constexpr double kForgotten = 400;  ///< [m] driven without a line being seen
+constexpr double kOneLine = 1.2;    ///< [m] two lines nearer than this all along are one
+
+}  // namespace
+
+void LineBirths::move(double aside, double along) {
+  for (Candidate& candidate : candidates_) {
+    candidate.lateral -= aside;
+    candidate.begin -= along;
+    candidate.end -= along;
+    const double keep = std::exp(-along / kMemory);
+    candidate.weight *= keep;
+    candidate.frames *= keep;
+  }
+  std::erase_if(candidates_, [](const Candidate& c) { return c.weight < 0.5; });
+}
+
+void LineBirths::gather(std::span<const StrayPaint> strays, const RoadState& state) {
+  for (Candidate& candidate : candidates_) candidate.in_frame = false;
+  const bool labelled = config_.association == RoadAssociation::labelled;
+  for (const StrayPaint& stray : strays) {
+    if (stray.station > kReach || std::abs(stray.lateral) > kFarAside || stray.label == kNoLine) continue;
+    auto nearest = candidates_.end();
+    double least = kSame;
+    for (auto c = candidates_.begin(); c != candidates_.end(); ++c) {
+      const double away = std::abs(c->lateral - stray.lateral);
+      if (labelled && c->label != stray.label) continue;
+      if (away < least) {
+        nearest = c;
+        least = away;
+      }
+    }
+    if (nearest == candidates_.end()) {
+      if (candidates_.size() == kMost) continue;
+      candidates_.push_back({stray.lateral, 0, 0, stray.station, stray.station, stray.label});
+      nearest = candidates_.end() - 1;
+    }
+    nearest->lateral += (stray.lateral - nearest->lateral) / (std::min(nearest->weight, 20.0) + 1);
+    nearest->weight += 1;
+    nearest->begin = std::min(nearest->begin, stray.station);
+    nearest->end = std::max(nearest->end, stray.station);
+    if (!nearest->in_frame) nearest->frames += 1;
+    nearest->in_frame = true;
+  }
+  (void)state;
+}
+
+bool LineBirths::is_line(const Candidate& candidate, const RoadState& state) const {
+  if (config_.association == RoadAssociation::labelled) {
+    return candidate.label >= 0 && candidate.frames >= 2;
+  }
+  if (candidate.frames < kFrames || candidate.weight < kPerFrame * candidate.frames) return false;
+  if (candidate.end - candidate.begin < kLength) return false;
+  const double middle = std::max(0.0, (candidate.begin + candidate.end) / 2);
+  return std::all_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& line) {
+    return std::abs(state.offset(line, middle) - candidate.lateral) > kApart;
+  });
+}
+
+void LineBirths::found_lines(RoadState& state) {
+  for (auto c = candidates_.begin(); c != candidates_.end();) {
+    if (!is_line(*c, state)) {
+      ++c;
+      continue;
+    }
+    if (RoadLine* line = state.add_line(c->lateral, 0.3)) {
+      line->label = c->label;
+      line->reach = c->end;
+    }
+    c = candidates_.erase(c);
+  }
+}
+
+void LineBirths::forget_lines(RoadState& state) const {
+  for (std::size_t i = state.lines().size(); i-- > 0;) {
+    const RoadLine& line = state.lines()[i];
+    const double beside = std::abs(state.offset(line, 0));
+    const bool lost = state.driven() - line.seen_at > kForgotten || beside > kFarAside + 2;
+    const auto same_as = [&](const RoadLine& older) {
+      if (older.id >= line.id) return false;
+      return std::abs(state.offset(older, 0) - state.offset(line, 0)) < kOneLine &&
+             std::abs(state.offset(older, 60) - state.offset(line, 60)) < kOneLine;
+    };
+    if (lost || std::any_of(state.lines().begin(), state.lines().end(), same_as)) state.remove_line(i);
+  }
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#include "road/paint_update.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "road/camera_view_error.hpp"
+
+namespace lanefuse {
+namespace {
+
+constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
+constexpr double kGateSigmas = 3;
+constexpr double kWidestGate = 1.2;   ///< [m] beyond, it is nearer to the next line
+constexpr double kRefusedSigmas = 4;  ///< of a band's mean
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state) {
+  by_range_.clear();
+  strays_.clear();
+  for (const Feature& feature : set.features) by_range_.push_back(&feature);
+  std::sort(by_range_.begin(), by_range_.end(),
+            [](const Feature* a, const Feature* b) { return a->x < b->x; });
+  given_.resize(RoadState::kMostLines);
+  next_ = 0;
+  used_ = 0;
+  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
+    take_band(kBands[b], kBands[b + 1], now_from_measured, state);
+  }
+  return used_;
+}
+
+void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {
+  while (next_ < by_range_.size() && by_range_[next_]->x < begin) ++next_;
+  if (next_ == by_range_.size() || by_range_[next_]->x >= end) return;
+  state.rebuild_axis();
+  gates_.clear();
+  const Eigen::Vector2d middle((begin + end) / 2, 0);
+  for (const RoadLine& line : state.lines()) {
+    const auto foot = state.axis().project(corrected(middle, now_from_measured, state.numbers()).point);
+    const Eigen::Vector2d beside(middle.x(), state.offset(line, foot.place.station) - foot.lateral);
+    const double variance = state.numbers().variance(row_of(line, beside, now_from_measured, state));
+    gates_.push_back(std::sqrt(variance));
+    given_[gates_.size() - 1].clear();
+  }
+  for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
+    give(*by_range_[next_], now_from_measured, state);
+  }
+  for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    if (given_[i].empty()) continue;
+    used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
+    state.lines()[i].reach = std::max(state.lines()[i].reach, begin);
+  }
+}
+
+void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state) {
+  const SeenPaint paint = corrected({feature.x, feature.y}, now_from_measured, state.numbers());
+  const RoadAxis::Foot foot = state.axis().project(paint.point);
+  const Eigen::Vector2d normal = rotation(-now_from_measured.heading) * foot.place.normal();
+  const double variance = own_variance(feature, normal, config_.camera);
+  const bool labelled = config_.association == RoadAssociation::labelled;
+  std::size_t nearest = state.lines().size();
+  double least = 1e9;
+  for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    const RoadLine& line = state.lines()[i];
+    const double residual = foot.lateral - state.offset(line, foot.place.station);
+    const bool candidate =
+        labelled ? line.label == feature.label && feature.label >= 0 : std::abs(residual) < std::abs(least);
+    if (!candidate) continue;
+    nearest = i;
+    least = residual;
+  }
+  if (nearest < state.lines().size()) {
+    const double gate = std::min(kWidestGate, kGateSigmas * std::sqrt(square(gates_[nearest]) + variance));
+    if (labelled || std::abs(least) < gate) {
+      given_[nearest].push_back({least, variance, &feature});
+      return;
+    }
+  }
+  strays_.push_back({foot.place.station, foot.lateral, feature.marking, feature.label});
+}
+
+SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,
+                              const Pose2& now_from_measured, const RoadState& state) const {
+  const SeenPaint paint = corrected(seen, now_from_measured, state.numbers());
+  const RoadAxis::Foot foot = state.axis().project(paint.point);
+  const double station = foot.place.station;
+  // A line that leaves the axis is left or right of the point as its own direction has it.
+  const Eigen::Vector2d across = foot.place.normal() - state.slope(line, station) * foot.place.tangent;
+  SparseRow row;
+  state.add_lateral(row, foot.place);
+  state.add_offset(row, line, station, -1);
+  row.add(kPaintPitch, across.dot(paint.by_pitch));
+  row.add(kCrest, across.dot(paint.by_crest));
+  row.add(kPaintYaw, across.dot(paint.by_turn));
+  row.add(kPaintLean, across.dot(paint.by_turn));
+  return row;
+}
+
+std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
+                                   RoadState& state) {
+  const auto middle = given.begin() + static_cast<std::ptrdiff_t>(given.size() / 2);
+  std::nth_element(given.begin(), middle, given.end(),
+                   [](const Given& a, const Given& b) { return a.residual < b.residual; });
+  const double median = middle->residual;
+  double weights = 0;
+  double residual = 0;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  std::size_t count = 0;
+  for (const Given& one : given) {
+    if (square(one.residual - median) > square(kGateSigmas) * one.variance) continue;
+    const double weight = 1 / one.variance;
+    weights += weight;
+    residual += weight * one.residual;
+    place += weight * Eigen::Vector2d(one.feature->x, one.feature->y);
+    if (one.feature->marking.colour != MarkingColour::unknown)
+      line.marking.colour = one.feature->marking.colour;
+    if (one.feature->marking.type != MarkingType::unknown) line.marking.type = one.feature->marking.type;
+    ++count;
+  }
+  residual /= weights;
+  const SparseRow row = row_of(line, place / weights, now_from_measured, state);
+  const double noise = 1 / weights;
+  if (config_.association == RoadAssociation::gated &&
+      square(residual) > square(kRefusedSigmas) * (state.numbers().variance(row) + noise)) {
+    return 0;
+  }
+  state.numbers().update(row, -residual, noise);
+  line.paint = static_cast<std::uint16_t>(line.paint + count);
+  return count;
+}
+
+}  // namespace lanefuse

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/feature.hpp"
+#include "road/road_state.hpp"
+
+namespace lanefuse {
+
+/// A point of paint that is of no line that is known.
+struct StrayPaint {
+  double station = 0;
+  double lateral = 0;  ///< [m] left of the axis
+  MarkingEvidence marking;
+  LineLabel label = kNoLabel;
+};
+
+/// Takes a frame's marking features into the state, from near to far: what the near ones tell of heading,
+/// pitch and yaw is known when the far ones are given to lines. In each band of distance a line's features
+/// count as one measurement of their robust mean.
+class PaintUpdate {
+ public:
+  explicit PaintUpdate(const RoadConfig& config) : config_(config) {}
+
+  /// Gives how many features were given to lines; the others are in strays().
+  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
+
+  [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
+
+ private:
+  /// A feature that was given to a line.
+  struct Given {
+    double residual = 0;  ///< [m] how far it is left of the line
+    double variance = 0;  ///< of its own
+    const Feature* feature = nullptr;
+  };
+
+  void take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
+  void give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state);
+  std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
+                        RoadState& state);
+  [[nodiscard]] SparseRow row_of(const RoadLine& line, const Eigen::Vector2d& seen,
+                                 const Pose2& now_from_measured, const RoadState& state) const;
+
+  RoadConfig config_;
+  std::vector<const Feature*> by_range_;
+  std::size_t next_ = 0;
+  std::size_t used_ = 0;
+  std::vector<std::vector<Given>> given_;  ///< a line
+  std::vector<double> gates_;              ///< [m] a line, of this band
+  std::vector<StrayPaint> strays_;
+};
+
+}  // namespace lanefuse
