@@ -9,18 +9,20 @@
 namespace lanefuse {
 namespace {
 
+constexpr double kLeastOwnShare = 0.04;  ///< of a feature's variance
 constexpr double kDegree = std::numbers::pi / 180;
 
 double square(double x) { return x * x; }
 
 }  // namespace
 
-SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured,
-                    const GaussianState& numbers) {
+SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured, const RoadState& state) {
+  const GaussianState& numbers = state.numbers();
   const double range = seen.x();
-  // A camera's row measures 1/x: pitch adds to it, and a crest takes off x/2 of its curvature.
-  const double dip = numbers.mean(kPaintPitch) - numbers.mean(kCrest) * range;
-  const double stretch = 1 / std::clamp(1 - range * dip, 0.6, 1.6);
+  // A camera's row measures its height over the ground there by the distance: pitch adds to it, and where the
+  // road rises it is less.
+  const double change = range * numbers.mean(kPaintPitch) - state.relative_height(range);
+  const double stretch = 1 / std::clamp(1 - change, 0.6, 1.6);
   const double turn = numbers.mean(kPaintYaw) + numbers.mean(kPaintLean);
   const Eigen::Matrix2d turned = rotation(-turn);
   const Eigen::Matrix2d now = rotation(now_from_measured.heading);
@@ -28,7 +30,7 @@ SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured,
   SeenPaint paint;
   paint.point = now * point + now_from_measured.position();
   paint.by_pitch = now * point * (stretch * range);
-  paint.by_crest = -range * paint.by_pitch;
+  paint.by_height = -stretch * (now * point);
   paint.by_turn = now * Eigen::Vector2d(point.y(), -point.x());
   return paint;
 }
@@ -42,7 +44,7 @@ double own_variance(const Feature& feature, const Eigen::Vector2d& normal, const
   const double shared_across =
       square(range * kDegree) * (square(config.yaw_deg.sigma) + square(config.lean_deg.sigma));
   const double all = normal.dot(feature.covariance.topLeftCorner<2, 2>() * normal);
-  const double own = all - along * shared_along - (1 - along) * shared_across;
+  const double own = std::max(all - along * shared_along - (1 - along) * shared_across, kLeastOwnShare * all);
   const double floor = square(config.paint_floor) + square(range * config.pixel_floor_mrad * 1e-3);
   return std::max(own, floor);
 }

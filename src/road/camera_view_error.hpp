@@ -15,13 +15,12 @@ namespace lanefuse {
 /// with it. A camera places paint where its ray meets the ground: pitch and crests move the point along the
 /// ray, which fans lines out or in; yaw and lean turn it.
 struct SeenPaint {
-  Eigen::Vector2d point;     ///< vehicle frame of now
-  Eigen::Vector2d by_pitch;  ///< change of the point with kPaintPitch
-  Eigen::Vector2d by_crest;  ///< with kCrest
-  Eigen::Vector2d by_turn;   ///< with kPaintYaw or kPaintLean
+  Eigen::Vector2d point;      ///< vehicle frame of now
+  Eigen::Vector2d by_pitch;   ///< change of the point with kPaintPitch
+  Eigen::Vector2d by_height;  ///< with the road's relative height there
+  Eigen::Vector2d by_turn;    ///< with kPaintYaw or kPaintLean
 };
-SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured,
-                    const GaussianState& numbers);
+SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured, const RoadState& state);
 
 /// The variance of the feature's place across `normal` (of the vehicle frame in which it was measured) that
 /// is its own: what the whole frame shares is counted in the state.

@@ -42,7 +42,7 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
   for (const RoadLine& line : state.lines()) {
-    const auto foot = state.axis().project(corrected(middle, now_from_measured, state.numbers()).point);
+    const auto foot = state.axis().project(corrected(middle, now_from_measured, state).point);
     const Eigen::Vector2d beside(middle.x(), state.offset(line, foot.place.station) - foot.lateral);
     const double variance = state.numbers().variance(row_of(line, beside, now_from_measured, state));
     gates_.push_back(std::sqrt(variance));
@@ -59,7 +59,7 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
 }
 
 void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state) {
-  const SeenPaint paint = corrected({feature.x, feature.y}, now_from_measured, state.numbers());
+  const SeenPaint paint = corrected({feature.x, feature.y}, now_from_measured, state);
   const RoadAxis::Foot foot = state.axis().project(paint.point);
   const Eigen::Vector2d normal = rotation(-now_from_measured.heading) * foot.place.normal();
   const double variance = own_variance(feature, normal, config_.camera);
@@ -87,7 +87,7 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
 
 SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,
                               const Pose2& now_from_measured, const RoadState& state) const {
-  const SeenPaint paint = corrected(seen, now_from_measured, state.numbers());
+  const SeenPaint paint = corrected(seen, now_from_measured, state);
   const RoadAxis::Foot foot = state.axis().project(paint.point);
   const double station = foot.place.station;
   // A line that leaves the axis is left or right of the point as its own direction has it.
@@ -96,7 +96,7 @@ SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,
   state.add_lateral(row, foot.place);
   state.add_offset(row, line, station, -1);
   row.add(kPaintPitch, across.dot(paint.by_pitch));
-  row.add(kCrest, across.dot(paint.by_crest));
+  state.add_relative_height(row, seen.x(), across.dot(paint.by_height));
   row.add(kPaintYaw, across.dot(paint.by_turn));
   row.add(kPaintLean, across.dot(paint.by_turn));
   return row;

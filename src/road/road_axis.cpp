@@ -9,24 +9,30 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kL = RoadAxis::kKnotSpacing;
-
-/// The hat function of width kL about zero, integrated from minus infinity once and twice.
-double once(double u) {
-  if (u <= -kL) return 0;
-  if (u <= 0) return (u + kL) * (u + kL) / (2 * kL);
-  if (u < kL) return kL - (kL - u) * (kL - u) / (2 * kL);
-  return kL;
+/// The hat function of width `l` about zero, integrated from minus infinity once and twice.
+double once(double u, double l) {
+  if (u <= -l) return 0;
+  if (u <= 0) return (u + l) * (u + l) / (2 * l);
+  if (u < l) return l - (l - u) * (l - u) / (2 * l);
+  return l;
 }
 
-double twice(double u) {
-  if (u <= -kL) return 0;
-  if (u <= 0) return (u + kL) * (u + kL) * (u + kL) / (6 * kL);
-  if (u < kL) return kL * u + (kL - u) * (kL - u) * (kL - u) / (6 * kL);
-  return kL * u;
+double twice(double u, double l) {
+  if (u <= -l) return 0;
+  if (u <= 0) return (u + l) * (u + l) * (u + l) / (6 * l);
+  if (u < l) return l * u + (l - u) * (l - u) * (l - u) / (6 * l);
+  return l * u;
 }
 
 }  // namespace
+
+double hat_turn(double centre, double spacing, double station) {
+  return once(station - centre, spacing) - once(-centre, spacing);
+}
+
+double hat_lever(double centre, double spacing, double station) {
+  return twice(station - centre, spacing) - twice(-centre, spacing) - station * once(-centre, spacing);
+}
 
 KnotWeights knot_weights(double at, double begin, double spacing, int count) {
   const double place = std::clamp((at - begin) / spacing, 0.0, static_cast<double>(count - 1));
@@ -94,16 +100,6 @@ RoadAxis::Foot RoadAxis::project(const Eigen::Vector2d& point) const {
     if (std::abs(step) < 0.01) break;
   }
   return {place, place.normal().dot(point - place.point)};
-}
-
-double RoadAxis::curvature_turn(int knot, double station) const {
-  const double centre = first_knot_ + knot * kKnotSpacing;
-  return once(station - centre) - once(-centre);
-}
-
-double RoadAxis::curvature_lever(int knot, double station) const {
-  const double centre = first_knot_ + knot * kKnotSpacing;
-  return twice(station - centre) - twice(-centre) - station * once(-centre);
 }
 
 }  // namespace lanefuse

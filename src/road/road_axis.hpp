@@ -18,6 +18,12 @@ struct KnotWeights {
 };
 KnotWeights knot_weights(double at, double begin, double spacing, int count);
 
+/// How much a knot's hat function of width `spacing`, which stands at `centre`, comes to at `station` when it
+/// is integrated from the car, once: a curvature's turn; and twice: its lever, how far it moves the curve
+/// aside.
+double hat_turn(double centre, double spacing, double station);
+double hat_lever(double centre, double spacing, double station);
+
 /// The road's axis: the curve through the car's origin that runs along the road, given by its curvature along
 /// the arc. Being followed by arc length, it holds in bends in which no cubic over x does.
 class RoadAxis {
@@ -50,11 +56,10 @@ class RoadAxis {
   /// The axis' place nearest to a point of the vehicle frame.
   [[nodiscard]] Foot project(const Eigen::Vector2d& point) const;
 
-  /// How far the axis moves to its left at `station` when the curvature at that knot grows by one: the hat
-  /// function of the knot, integrated twice from the car.
-  [[nodiscard]] double curvature_lever(int knot, double station) const;
-  /// The same for the heading: integrated once.
-  [[nodiscard]] double curvature_turn(int knot, double station) const;
+  /// How far the axis moves to its left at `station` when the curvature at that knot grows by one.
+  [[nodiscard]] double curvature_lever(int knot, double station) const {
+    return hat_lever(first_knot_ + knot * kKnotSpacing, kKnotSpacing, station);
+  }
   /// How far it moves to the right when the car's heading along it grows by one radian.
   [[nodiscard]] double heading_lever(const Place& place) const { return place.point.dot(place.tangent); }
 

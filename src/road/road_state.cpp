@@ -34,14 +34,28 @@ void RoadState::clear() {
   numbers_.append(0, square(camera.pitch_deg.sigma * kDegree / camera.height));
   numbers_.append(0, square(config_.tracked_lane.yaw_deg.sigma * kDegree));
   numbers_.append(0, square(config_.vehicles.misalignment_deg * kDegree));
-  numbers_.append(0, square(camera.vertical_curvature / (2 * camera.height)));
   numbers_.append(0, square(config_.course.first_curvature));
   for (int k = 1; k < RoadAxis::kKnots; ++k) {
     SparseRow before;
     before.add(kCurvatures + k - 1, 1);
     numbers_.append(before, 0, square(2 * config_.course.curvature_step));
   }
+  numbers_.append(0, square(camera.vertical_curvature / camera.height));
+  for (int k = 1; k < kOffsets; ++k) numbers_.append(next_crest(kCrests + k - 1), 0, crest_noise());
   rebuild_axis();
+}
+
+/// The road's vertical curvature one knot on from that of `before`.
+SparseRow RoadState::next_crest(int before) const {
+  SparseRow row;
+  row.add(before, std::exp(-kOffsetSpacing / config_.camera.vertical_length));
+  return row;
+}
+
+double RoadState::crest_noise() const {
+  const CameraErrorsConfig& camera = config_.camera;
+  const double keep = std::exp(-kOffsetSpacing / camera.vertical_length);
+  return (1 - keep * keep) * square(camera.vertical_curvature / camera.height);
 }
 
 void RoadState::rebuild_axis() {
@@ -85,12 +99,12 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
   first_knot_ -= along;
   first_offset_ -= along;
   driven_ += along;
-  decay_errors(seconds, std::abs(along));
+  decay_errors(seconds);
   move_knots();
   rebuild_axis();
 }
 
-void RoadState::decay_errors(double seconds, double way) {
+void RoadState::decay_errors(double seconds) {
   const auto wander = [&](int i, double keep, double sigma) { numbers_.decay(i, keep, sigma); };
   const CameraErrorsConfig& camera = config_.camera;
   wander(kPaintYaw, std::exp(-seconds / camera.yaw_deg.tau), camera.yaw_deg.sigma * kDegree);
@@ -99,7 +113,6 @@ void RoadState::decay_errors(double seconds, double way) {
          camera.pitch_deg.sigma * kDegree / camera.height);
   const WanderingError& tracked = config_.tracked_lane.yaw_deg;
   wander(kTrackedYaw, std::exp(-seconds / tracked.tau), tracked.sigma * kDegree);
-  wander(kCrest, std::exp(-way / camera.vertical_length), camera.vertical_curvature / (2 * camera.height));
   const WanderingError& driver = config_.vehicles.driver;
   for (const RoadVehicle& vehicle : vehicles_) {
     wander(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
@@ -115,7 +128,7 @@ void RoadState::move_knots() {
     const double sigma =
         std::clamp(std::sqrt(restlessness_), course.curvature_step, course.curvature_step_max);
     SparseRow before;
-    before.add(kFixedNumbers - 2, 1);
+    before.add(kCrests - 2, 1);
     numbers_.shift(kCurvatures, RoadAxis::kKnots, before, square(sigma));
     first_knot_ += RoadAxis::kKnotSpacing;
   }
@@ -125,6 +138,7 @@ void RoadState::move_knots() {
       before.add(line.first + kOffsets - 2, 1);
       numbers_.shift(line.first, kOffsets, before, square(course.offset_step));
     }
+    numbers_.shift(kCrests, kOffsets, next_crest(kFixedNumbers - 2), crest_noise());
     first_offset_ += kOffsetSpacing;
   }
 }
@@ -194,6 +208,21 @@ void RoadState::add_offset(SparseRow& row, const RoadLine& line, double station,
   const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
   row.add(line.first + w.first, factor * w.of_first);
   row.add(line.first + w.first + 1, factor * w.of_second);
+}
+
+double RoadState::relative_height(double station) const {
+  double height = 0;
+  for (int k = 0; k < kOffsets; ++k) {
+    height +=
+        numbers_.mean(kCrests + k) * hat_lever(first_offset_ + k * kOffsetSpacing, kOffsetSpacing, station);
+  }
+  return height;
+}
+
+void RoadState::add_relative_height(SparseRow& row, double station, double factor) const {
+  for (int k = 0; k < kOffsets; ++k) {
+    row.add(kCrests + k, factor * hat_lever(first_offset_ + k * kOffsetSpacing, kOffsetSpacing, station));
+  }
 }
 
 double RoadState::variance(const RoadLine& line, double station) const {

@@ -40,16 +40,16 @@ struct RoadVehicle {
 
 /// What the state's numbers from the second on are.
 enum RoadNumber : int {
-  kHeading = 0,      ///< [rad] of the car along the axis
-  kYawRateError = 1,  ///< [rad/s] by which the dead reckoning turns too fast
-  kPaintYaw = 2,     ///< [rad] of the marking camera's mounting
-  kPaintLean = 3,    ///< [rad] by which its latest frame leans beyond that
-  kPaintPitch = 4,   ///< [1/m] pitch of its latest frame over its height
-  kTrackedYaw = 5,   ///< [rad] of the lane-tracking camera's mounting
-  kVehicleYaw = 6,   ///< [rad] of all vehicles' bearings
-  kCrest = 7,        ///< [1/m^2] the road's vertical curvature over twice the camera's height
-  kCurvatures = 8,   ///< [1/m] RoadAxis::kKnots of them
-  kFixedNumbers = kCurvatures + RoadAxis::kKnots
+  kHeading = 0,                              ///< [rad] of the car along the axis
+  kYawRateError = 1,                         ///< [rad/s] by which the dead reckoning turns too fast
+  kPaintYaw = 2,                             ///< [rad] of the marking camera's mounting
+  kPaintLean = 3,                            ///< [rad] by which its latest frame leans beyond that
+  kPaintPitch = 4,                           ///< [1/m] pitch of its latest frame over its height
+  kTrackedYaw = 5,                           ///< [rad] of the lane-tracking camera's mounting
+  kVehicleYaw = 6,                           ///< [rad] of all vehicles' bearings
+  kCurvatures = 7,                           ///< [1/m] RoadAxis::kKnots of them
+  kCrests = kCurvatures + RoadAxis::kKnots,  ///< [1/m^2] vertical curvatures over the camera's height
+  kFixedNumbers = kCrests + 6
 };
 
 /// The road ahead as one normal distribution: the axis' curvature along the arc, each line's offsets from it,
@@ -99,6 +99,9 @@ class RoadState {
   /// Adds to `row` how a point's place left of the axis, `at`, changes with the numbers of axis and heading.
   void add_lateral(SparseRow& row, const RoadAxis::Place& at, double factor = 1) const;
   void add_offset(SparseRow& row, const RoadLine& line, double station, double factor = 1) const;
+  /// The road's height over the plane that touches it under the car, as a share of the camera's height.
+  [[nodiscard]] double relative_height(double station) const;
+  void add_relative_height(SparseRow& row, double station, double factor) const;
   /// The variance of where the line is across, at a station.
   [[nodiscard]] double variance(const RoadLine& line, double station) const;
 
@@ -108,7 +111,9 @@ class RoadState {
 
  private:
   void move_knots();
-  void decay_errors(double seconds, double way);
+  void decay_errors(double seconds);
+  [[nodiscard]] SparseRow next_crest(int before) const;
+  [[nodiscard]] double crest_noise() const;
 
   RoadConfig config_;
   GaussianState numbers_;
