@@ -8,14 +8,15 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kReach = 60;      ///< [m] paint further away founds no line
-constexpr double kFarAside = 14;   ///< [m]
-constexpr double kSame = 0.4;      ///< [m] of one candidate
-constexpr double kApart = 2.3;     ///< [m] from lines that are known
-constexpr double kFrames = 5;      ///< that must have seen it
-constexpr double kPerFrame = 2.5;  ///< features of it in a frame, on average
-constexpr double kLength = 18;     ///< [m] along which it must have been seen
-constexpr double kMemory = 60;     ///< [m] driven, over which it is forgotten
+constexpr double kReach = 60;       ///< [m] paint further away founds no line
+constexpr double kFirstReach = 35;  ///< [m] the same while no line is known
+constexpr double kFarAside = 14;    ///< [m]
+constexpr double kSame = 0.4;       ///< [m] of one candidate
+constexpr double kApart = 2.3;      ///< [m] from lines that are known
+constexpr double kFrames = 5;       ///< that must have seen it
+constexpr double kPerFrame = 2.5;   ///< features of it in a frame, on average
+constexpr double kLength = 18;      ///< [m] along which it must have been seen
+constexpr double kMemory = 60;      ///< [m] driven, over which it is forgotten
 constexpr std::size_t kMost = 32;
 constexpr double kForgotten = 400;  ///< [m] driven without a line being seen
 constexpr double kOneLine = 1.2;    ///< [m] two lines nearer than this all along are one
@@ -37,8 +38,9 @@ void LineBirths::move(double aside, double along) {
 void LineBirths::gather(std::span<const StrayPaint> strays, const RoadState& state) {
   for (Candidate& candidate : candidates_) candidate.in_frame = false;
   const bool labelled = config_.association == RoadAssociation::labelled;
+  const double reach = state.lines().empty() ? kFirstReach : kReach;
   for (const StrayPaint& stray : strays) {
-    if (stray.station > kReach || std::abs(stray.lateral) > kFarAside || stray.label == kNoLine) continue;
+    if (stray.station > reach || std::abs(stray.lateral) > kFarAside || stray.label == kNoLine) continue;
     auto nearest = candidates_.end();
     double least = kSame;
     for (auto c = candidates_.begin(); c != candidates_.end(); ++c) {
@@ -61,7 +63,6 @@ void LineBirths::gather(std::span<const StrayPaint> strays, const RoadState& sta
     if (!nearest->in_frame) nearest->frames += 1;
     nearest->in_frame = true;
   }
-  (void)state;
 }
 
 bool LineBirths::is_line(const Candidate& candidate, const RoadState& state) const {

@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
-constexpr double kWidestGate = 1.2;   ///< [m] beyond, it is nearer to the next line
-constexpr double kRefusedSigmas = 4;  ///< of a band's mean
+constexpr double kWidestGate = 1.2;     ///< [m] beyond, it is nearer to the next line
+constexpr double kHeadingReach = 60;    ///< [m] further, headings say too little
+constexpr double kHeadingRepeats = 10;  ///< headings of a frame lean together
+constexpr double kRefusedSigmas = 4;    ///< of a band's mean
 
 double square(double x) { return x * x; }
 
@@ -33,6 +35,32 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
     take_band(kBands[b], kBands[b + 1], now_from_measured, state);
   }
   return used_;
+}
+
+void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state) {
+  by_range_.clear();
+  for (const Feature& feature : set.features) {
+    if (feature.x < kHeadingReach) by_range_.push_back(&feature);
+  }
+  std::sort(by_range_.begin(), by_range_.end(),
+            [](const Feature* a, const Feature* b) { return a->x < b->x; });
+  for (const Feature* feature : by_range_) {
+    state.rebuild_axis();
+    const RoadAxis::Foot foot =
+        state.axis().project(now_from_measured * Eigen::Vector2d(feature->x, feature->y));
+    const double station = foot.place.station;
+    const double residual =
+        wrap_angle(now_from_measured.heading + feature->heading - state.axis().heading_at(station));
+    SparseRow row;
+    row.add(kHeading, -1);
+    for (int k = 0; k < RoadAxis::kKnots; ++k) {
+      row.add(kCurvatures + k,
+              hat_turn(state.first_knot() + k * RoadAxis::kKnotSpacing, RoadAxis::kKnotSpacing, station));
+    }
+    const double noise = kHeadingRepeats * feature->covariance(2, 2);
+    if (square(residual) > square(kGateSigmas) * (state.numbers().variance(row) + noise)) continue;
+    state.numbers().update(row, residual, noise);
+  }
 }
 
 void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {

@@ -28,6 +28,10 @@ class PaintUpdate {
   /// Gives how many features were given to lines; the others are in strays().
   std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
 
+  /// Before any line is known: what the features' headings say of the road's course, which lets them be
+  /// sorted into lines even in a bend.
+  void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
+
   [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
 
  private:

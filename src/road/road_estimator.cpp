@@ -3,12 +3,17 @@
 #include "road/road_estimator.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lanefuse {
 namespace {
 
 /// How far beyond its ends the dead reckoning may be stretched to a measurement's stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
+constexpr double kNear = 60;             ///< [m] where paint should be of lines that are known
+constexpr double kAside = 14;            ///< [m] to either side
+constexpr std::size_t kMostStrays = 12;  ///< of a frame
+constexpr int kLostFrames = 8;
 constexpr double kLongestStep = 60;  ///< [m] or more in one cycle: the path began anew
 
 }  // namespace
@@ -53,8 +58,7 @@ void RoadEstimator::drive(const Pose2& odometry_from_vehicle, Time now) {
   last_odometry_from_vehicle_ = odometry_from_vehicle;
   last_cycle_ = now;
   if (moved.position().norm() > kLongestStep || seconds > 5) {
-    state_.clear();
-    births_.clear();
+    forget_road();
     return;
   }
   const double driven = state_.driven();
@@ -82,8 +86,11 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
     if (vehicles) {
       used += 2 * vehicles_.take(set, now_from_measured, state_);
     } else {
-      used += paint_.take(set, now_from_measured, state_);
+      if (state_.lines().empty()) paint_.take_headings(set, now_from_measured, state_);
+      const std::size_t given = paint_.take(set, now_from_measured, state_);
+      used += given;
       births_.gather(paint_.strays(), state_);
+      if (!state_.lines().empty() && has_lost_the_road(given)) forget_road();
     }
   }
   used = std::min(used, items);
@@ -94,6 +101,22 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
     line.seen_for += std::min(20.0, state_.driven() - line.seen_at);
     line.seen_at = state_.driven();
   }
+}
+
+/// Once the lines are where no paint is, no gate lets them come back: better to begin anew than to be wrong.
+bool RoadEstimator::has_lost_the_road(std::size_t given) {
+  const auto strays = static_cast<std::size_t>(std::count_if(
+      paint_.strays().begin(), paint_.strays().end(),
+      [](const StrayPaint& stray) { return stray.station < kNear && std::abs(stray.lateral) < kAside; }));
+  const bool lost = strays >= kMostStrays && 2 * given < strays;
+  lost_frames_ = lost ? lost_frames_ + 1 : std::max(0, lost_frames_ - 1);
+  return lost_frames_ > kLostFrames;
+}
+
+void RoadEstimator::forget_road() {
+  state_.clear();
+  births_.clear();
+  lost_frames_ = 0;
 }
 
 void RoadEstimator::judge() {

@@ -36,6 +36,8 @@ class RoadEstimator final : public LaneEstimator {
   void take(const FeatureSet& set, const Cycle& cycle, const Pose2& odometry_from_vehicle);
   void take_features(const FeatureSet& set, const Pose2& now_from_measured);
   void judge();
+  [[nodiscard]] bool has_lost_the_road(std::size_t given);
+  void forget_road();
 
   RoadConfig config_;
   RoadState state_;
@@ -48,6 +50,7 @@ class RoadEstimator final : public LaneEstimator {
   std::optional<Pose2> last_odometry_from_vehicle_;
   Time last_cycle_{};
   std::optional<Time> last_tracked_;
+  int lost_frames_ = 0;  ///< in which most of the paint was of no line
   LaneEstimate estimate_;
   DebugView debug_;
 };
