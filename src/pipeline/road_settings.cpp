@@ -44,8 +44,8 @@ void add_camera(const Section& s, CameraErrorsConfig& c) {
   add_wander_deg(s.section("lean"), c.lean_deg, "by which all of a frame's lines lean together");
   s.add("vertical_curvature", c.vertical_curvature, kSigma, "1/m", "of the road's crests and sags");
   s.add("vertical_length", c.vertical_length, {1.0, 100000.0}, "m", "for which they last");
-  s.add("pixel_floor_mrad", c.pixel_floor_mrad, kSigma, "mrad", "no feature's bearing is better");
-  s.add("paint_floor", c.paint_floor, kSigma, "m", "nor its place across");
+  s.add("pixel_mrad", c.pixel_mrad, kSigma, "mrad", "noise of a feature's row and column, at least");
+  s.add("paint", c.paint, kSigma, "m", "and of its place across");
 }
 
 }  // namespace

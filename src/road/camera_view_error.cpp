@@ -9,7 +9,6 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kLeastOwnShare = 0.04;  ///< of a feature's variance
 constexpr double kDegree = std::numbers::pi / 180;
 
 double square(double x) { return x * x; }
@@ -44,9 +43,10 @@ double own_variance(const Feature& feature, const Eigen::Vector2d& normal, const
   const double shared_across =
       square(range * kDegree) * (square(config.yaw_deg.sigma) + square(config.lean_deg.sigma));
   const double all = normal.dot(feature.covariance.topLeftCorner<2, 2>() * normal);
-  const double own = std::max(all - along * shared_along - (1 - along) * shared_across, kLeastOwnShare * all);
-  const double floor = square(config.paint_floor) + square(range * config.pixel_floor_mrad * 1e-3);
-  return std::max(own, floor);
+  const double pixel = square(range * config.pixel_mrad * 1e-3);
+  const double least =
+      along * pixel * square(range / config.height) + (1 - along) * (pixel + square(config.paint));
+  return std::max(all - along * shared_along - (1 - along) * shared_across, least);
 }
 
 }  // namespace lanefuse

@@ -23,7 +23,7 @@ struct RoadCourseConfig {
   double habit_m = 600;              ///< [m] of road behind that say how restless it is
   double first_curvature = 1.5e-3;   ///< [1/m] sigma before anything is known
   double first_heading_deg = 2;      ///< [deg] the same of the car's heading along the road
-  double offset_step = 0.04;         ///< [m] sigma of a marking's sideways drift over one offset spacing
+  double offset_step = 0.02;         ///< [m] sigma of a marking's sideways drift over one offset spacing
 };
 
 /// What the car's dead reckoning errs by.
@@ -42,13 +42,13 @@ struct CameraErrorsConfig {
   WanderingError lean_deg{0.086, 0.5};   ///< [deg] by which all of a frame's lines lean together
   double vertical_curvature = 1.667e-5;  ///< [1/m] of the road
   double vertical_length = 250;          ///< [m] for which that holds
-  double pixel_floor_mrad = 0.5;         ///< [mrad] no feature's bearing is better
-  double paint_floor = 0.03;             ///< [m] nor its place across
+  double pixel_mrad = 0.8;               ///< [mrad] noise of a feature's row and column, at least
+  double paint = 0.03;                   ///< [m] and of its place across
 };
 
 /// The serial camera's tracked lane, taken whole.
 struct TrackedLaneConfig {
-  double inflation = 25;  ///< on its covariance at 25 Hz: its tracker has counted everything before
+  double inflation = 60;  ///< on its covariance at 25 Hz: its tracker has counted everything before
   WanderingError yaw_deg{0.12, 120};  ///< [deg] of its mounting
 };
 
