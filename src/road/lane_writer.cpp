@@ -14,10 +14,14 @@ namespace {
 
 constexpr double kNarrowest = 2.2;  ///< [m] lane
 constexpr double kWidest = 5.2;
-constexpr double kSortAt = 30;     ///< [m] ahead, where lines are put in order
-constexpr double kStep = 2.5;      ///< [m] of arc between the places that are written
-constexpr double kSigmaStep = 10;  ///< [m] of arc between the sigmas
-constexpr double kFitRange = 110;  ///< [m] up to which the clothoid must fit
+constexpr double kShortest = 8;      ///< [m]
+constexpr double kShoulder = 0.9;    ///< of the usual width: narrower is none that is driven on
+constexpr double kDriven = 5;        ///< sightings of vehicles that make it one
+constexpr double kUsualWidth = 3.6;  ///< [m]
+constexpr double kSortAt = 30;       ///< [m] ahead, where lines are put in order
+constexpr double kStep = 2.5;        ///< [m] of arc between the places that are written
+constexpr double kSigmaStep = 10;    ///< [m] of arc between the sigmas
+constexpr double kFitRange = 110;    ///< [m] up to which the clothoid must fit
 
 double square(double x) { return x * x; }
 
@@ -32,8 +36,10 @@ void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
   from_left_.clear();
   for (const RoadLine& line : state.lines()) from_left_.push_back(&line);
   std::sort(from_left_.begin(), from_left_.end(), [&](const RoadLine* a, const RoadLine* b) {
-    const double at_a = state.offset(*a, kSortAt);
-    const double at_b = state.offset(*b, kSortAt);
+    // Where both are: a line that begins ahead may begin on another.
+    const double at = std::max({kSortAt, a->begin + kSortAt, b->begin + kSortAt});
+    const double at_a = state.offset(*a, at);
+    const double at_b = state.offset(*b, at);
     return at_a > at_b || (at_a == at_b && a->id < b->id);
   });
   for (Boundary& old : estimate.boundaries) spare_points_.push_back(std::move(old.points));
@@ -46,7 +52,7 @@ void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
     }
     write_boundary(state, *line, boundary);
   }
-  write_lanes(estimate);
+  write_lanes(state, estimate);
 }
 
 void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary) {
@@ -62,7 +68,6 @@ void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Bo
 
 void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boundary& boundary) {
   boundary.points.clear();
-  boundary.range_begin = 0;
   const RoadAxis& axis = state.axis();
   double x = 0;
   Eigen::Vector2d before = Eigen::Vector2d::Zero();
@@ -86,6 +91,7 @@ void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boun
         if (x < before.x()) continue;
         const double f = (x - before.x()) / (point.x() - before.x());
         if (sigma > config_.sigma_max) break;
+        if (x < line.begin) continue;
         boundary.points.push_back(
             {x, before.y() + f * (point.y() - before.y()), sigma, config_.protection * sigma});
       }
@@ -93,7 +99,8 @@ void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boun
     }
     before = point;
   }
-  boundary.range_end = boundary.points.empty() ? 0 : boundary.points.back().x;
+  boundary.range_begin = boundary.points.empty() ? 0 : boundary.points.front().x;
+  boundary.range_end = boundary.points.empty() ? -1 : boundary.points.back().x;
 }
 
 void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const {
@@ -132,26 +139,96 @@ void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boun
   boundary.covariance = (covariance + covariance.transpose()) / 2;
 }
 
-void LaneWriter::write_lanes(LaneEstimate& estimate) {
+/// Where both boundaries speak and are as far apart as a lane is wide: the longest such stretch.
+LaneWriter::Stretch LaneWriter::lane_stretch(const Boundary& left, const Boundary& right) {
+  Stretch longest;
+  Stretch here;
+  std::size_t r = 0;
+  for (const BoundaryPoint& point : left.points) {
+    while (r < right.points.size() && right.points[r].x < point.x) ++r;
+    const bool both = r < right.points.size() && right.points[r].x == point.x;
+    const double width = both ? point.y - right.points[r].y : 0;
+    if (width < kNarrowest || width > kWidest) {
+      here = {};
+      continue;
+    }
+    if (here.end < here.begin) here.begin = point.x;
+    here.end = point.x;
+    if (here.end - here.begin > longest.end - longest.begin) longest = here;
+  }
+  return longest;
+}
+
+/// An outermost lane that is narrower than the others and that nobody has ever driven on is a shoulder, or
+/// the gap between the edge and a guard rail that shines.
+bool LaneWriter::is_shoulder(const RoadState& state, std::size_t left, double usual_width) const {
+  const RoadLine& a = *from_left_[left];
+  const RoadLine& b = *from_left_[left + 1];
+  const bool outermost = left == 0 || left + 2 == from_left_.size();
+  const double at = std::max({10.0, a.begin, b.begin});
+  const double width = state.offset(a, at) - state.offset(b, at);
+  return outermost && width < kShoulder * usual_width && b.traffic_on_left < kDriven;
+}
+
+double LaneWriter::usual_width(const RoadState& state) const {
+  // That of the lane that the car is in, or of the one next to that.
+  double width = kUsualWidth;
+  double nearest = 1e9;
+  for (std::size_t i = 0; i + 1 < from_left_.size(); ++i) {
+    const double left = state.offset(*from_left_[i], 0);
+    const double right = state.offset(*from_left_[i + 1], 0);
+    const double aside = std::abs(left + right) / 2;
+    if (left - right < kNarrowest || left - right > kWidest || aside > nearest) continue;
+    nearest = aside;
+    width = left - right;
+  }
+  return width;
+}
+
+void LaneWriter::write_lanes(const RoadState& state, LaneEstimate& estimate) {
   estimate.lanes.clear();
+  const double usual = usual_width(state);
   for (std::size_t b = 0; b + 1 < estimate.boundaries.size(); ++b) {
     const Boundary& left = estimate.boundaries[b];
     const Boundary& right = estimate.boundaries[b + 1];
-    const double width = lateral_at(left, 0) - lateral_at(right, 0);
-    if (width < kNarrowest || width > kWidest) continue;
+    const Stretch stretch = lane_stretch(left, right);
+    if (stretch.end - stretch.begin < kShortest || is_shoulder(state, b, usual)) continue;
     Lane lane;
     lane.id = lane_id(left.id, right.id);
     lane.left_boundary = left.id;
     lane.right_boundary = right.id;
+    lane.range_begin = stretch.begin;
+    lane.range_end = stretch.end;
     if (!estimate.lanes.empty() && estimate.lanes.back().right_boundary == lane.left_boundary) {
       lane.left_lane = estimate.lanes.back().id;
       estimate.lanes.back().right_lane = lane.id;
     }
     estimate.lanes.push_back(std::move(lane));
   }
+  keep_what_bounds(estimate);
   std::erase_if(known_lanes_, [&](const KnownLane& lane) {
     return !find_boundary(estimate, lane.left) || !find_boundary(estimate, lane.right);
   });
+}
+
+/// A boundary speaks where it bounds a lane; a line that bounds none is paint, and no boundary.
+void LaneWriter::keep_what_bounds(LaneEstimate& estimate) {
+  for (Boundary& boundary : estimate.boundaries) {
+    double begin = 1e9;
+    double end = -1e9;
+    for (const Lane& lane : estimate.lanes) {
+      if (lane.left_boundary != boundary.id && lane.right_boundary != boundary.id) continue;
+      begin = std::min(begin, lane.range_begin);
+      end = std::max(end, lane.range_end);
+    }
+    std::erase_if(boundary.points,
+                  [&](const BoundaryPoint& point) { return point.x < begin || point.x > end; });
+    boundary.range_begin = begin;
+    boundary.range_end = end;
+    if (boundary.points.empty()) spare_points_.push_back(std::move(boundary.points));
+  }
+  std::erase_if(estimate.boundaries,
+                [](const Boundary& boundary) { return boundary.range_end < boundary.range_begin; });
 }
 
 std::uint64_t LaneWriter::lane_id(std::uint64_t left, std::uint64_t right) {

@@ -30,7 +30,15 @@ class LaneWriter {
   void write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary);
   void write_points(const RoadState& state, const RoadLine& line, Boundary& boundary);
   void fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const;
-  void write_lanes(LaneEstimate& estimate);
+  struct Stretch {
+    double begin = 0;
+    double end = -1;
+  };
+  static Stretch lane_stretch(const Boundary& left, const Boundary& right);
+  [[nodiscard]] bool is_shoulder(const RoadState& state, std::size_t left, double usual_width) const;
+  [[nodiscard]] double usual_width(const RoadState& state) const;
+  void write_lanes(const RoadState& state, LaneEstimate& estimate);
+  void keep_what_bounds(LaneEstimate& estimate);
   std::uint64_t lane_id(std::uint64_t left, std::uint64_t right);
 
   RoadConfig config_;

@@ -8,15 +8,16 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kReach = 60;       ///< [m] paint further away founds no line
-constexpr double kFirstReach = 35;  ///< [m] the same while no line is known
-constexpr double kFarAside = 14;    ///< [m]
-constexpr double kSame = 0.4;       ///< [m] of one candidate
-constexpr double kApart = 2.3;      ///< [m] from lines that are known
-constexpr double kFrames = 5;       ///< that must have seen it
-constexpr double kPerFrame = 2.5;   ///< features of it in a frame, on average
-constexpr double kLength = 18;      ///< [m] along which it must have been seen
-constexpr double kMemory = 60;      ///< [m] driven, over which it is forgotten
+constexpr double kReach = 60;         ///< [m] paint further away founds no line
+constexpr double kFirstReach = 35;    ///< [m] the same while no line is known
+constexpr double kFarAside = 14;      ///< [m]
+constexpr double kSame = 0.4;         ///< [m] of one candidate
+constexpr double kApart = 2.3;        ///< [m] from lines that are known
+constexpr double kFrames = 5;         ///< that must have seen it
+constexpr double kPerFrame = 2.5;     ///< features of it in a frame, on average
+constexpr double kLength = 18;        ///< [m] along which it must have been seen
+constexpr double kSeenFromNear = 15;  ///< [m] what is seen from there on has always been there
+constexpr double kMemory = 60;        ///< [m] driven, over which it is forgotten
 constexpr std::size_t kMost = 32;
 constexpr double kForgotten = 400;  ///< [m] driven without a line being seen
 constexpr double kOneLine = 1.2;    ///< [m] two lines nearer than this all along are one
@@ -85,7 +86,7 @@ void LineBirths::found_lines(RoadState& state) {
     }
     if (RoadLine* line = state.add_line(c->lateral, 0.3)) {
       line->label = c->label;
-      line->reach = c->end;
+      if (c->begin > kSeenFromNear) line->begin = c->begin;
     }
     c = candidates_.erase(c);
   }

@@ -13,7 +13,14 @@ namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
-constexpr double kWidestGate = 1.2;     ///< [m] beyond, it is nearer to the next line
+constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
+constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
+constexpr std::size_t kPulling = 2;  ///< features of a band
+constexpr double kPulledFrames = 3;
+constexpr double kFreedBefore = 25;  ///< [m] before the first such band
+constexpr double kFreedSigma = 0.5;  ///< [m]
+constexpr std::size_t kFewYellow = 2;
+constexpr std::size_t kEnoughYellow = 8;
 constexpr double kHeadingReach = 60;    ///< [m] further, headings say too little
 constexpr double kHeadingRepeats = 10;  ///< headings of a frame lean together
 constexpr double kRefusedSigmas = 4;    ///< of a band's mean
@@ -29,12 +36,44 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   given_.resize(RoadState::kMostLines);
+  near_.assign(RoadState::kMostLines, {});
+  find_yellow();
   next_ = 0;
   used_ = 0;
   for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
     take_band(kBands[b], kBands[b + 1], now_from_measured, state);
   }
+  let_go(state);
   return used_;
+}
+
+/// Where a road is being built, yellow paint makes the white void. Single features may be mistaken.
+void PaintUpdate::find_yellow() {
+  std::size_t count = 0;
+  yellow_begin_ = 1e9;
+  yellow_end_ = -1e9;
+  for (const Feature* feature : by_range_) {
+    if (feature->marking.colour != MarkingColour::yellow) continue;
+    if (++count == kFewYellow) yellow_begin_ = feature->x;
+    if (count > kFewYellow) yellow_end_ = feature->x;
+  }
+  if (count < kEnoughYellow) yellow_begin_ = 1e9;
+}
+
+bool PaintUpdate::is_void(const Feature& feature) const {
+  return feature.marking.colour == MarkingColour::white && feature.x >= yellow_begin_ &&
+         feature.x <= yellow_end_;
+}
+
+/// A line whose paint is again and again beside it has gone its own way: an exit, a lane that ends.
+void PaintUpdate::let_go(RoadState& state) {
+  for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    RoadLine& line = state.lines()[i];
+    line.pull = near_[i].pulled_bands > 0 ? line.pull + 1 : line.pull * 0.6;
+    if (line.pull < kPulledFrames) continue;
+    line.pull = 1;
+    state.free_line(line, near_[i].pulled_from - kFreedBefore, kFreedSigma);
+  }
 }
 
 void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state) {
@@ -77,12 +116,17 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
     given_[gates_.size() - 1].clear();
   }
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
+    if (is_void(*by_range_[next_])) continue;
     give(*by_range_[next_], now_from_measured, state);
   }
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    if (near_[i].beside >= kPulling && near_[i].beside >= 2 * given_[i].size()) {
+      near_[i].pulled_from = std::min(near_[i].pulled_from, begin);
+      ++near_[i].pulled_bands;
+    }
+    near_[i].beside = 0;
     if (given_[i].empty()) continue;
     used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
-    state.lines()[i].reach = std::max(state.lines()[i].reach, begin);
   }
 }
 
@@ -109,6 +153,7 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
       given_[nearest].push_back({least, variance, &feature});
       return;
     }
+    if (std::abs(least) < kBeside) ++near_[nearest].beside;
   }
   strays_.push_back({foot.place.station, foot.lateral, feature.marking, feature.label});
 }

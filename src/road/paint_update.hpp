@@ -53,8 +53,21 @@ class PaintUpdate {
   std::vector<const Feature*> by_range_;
   std::size_t next_ = 0;
   std::size_t used_ = 0;
+  /// What a line has in this band.
+  struct Near {
+    std::size_t beside = 0;    ///< features that are nearest to it, and not near enough
+    double pulled_from = 1e9;  ///< [m] where, in this frame, they first were more than those on it
+    int pulled_bands = 0;
+  };
+  void let_go(RoadState& state);
+  void find_yellow();
+  [[nodiscard]] bool is_void(const Feature& feature) const;
+
   std::vector<std::vector<Given>> given_;  ///< a line
-  std::vector<double> gates_;              ///< [m] a line, of this band
+  std::vector<Near> near_;                 ///< a line
+  double yellow_begin_ = 1e9;              ///< [m] between which, in this frame, yellow paint counts alone
+  double yellow_end_ = -1e9;
+  std::vector<double> gates_;  ///< [m] a line, of this band
   std::vector<StrayPaint> strays_;
 };
 

@@ -96,6 +96,7 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
     const double c = numbers_.mean(k);
     numbers_.set_mean(k, c / (1 - c * aside));
   }
+  for (RoadLine& line : lines_) line.begin -= along;
   first_knot_ -= along;
   first_offset_ -= along;
   driven_ += along;
@@ -164,6 +165,13 @@ void RoadState::remove_line(std::size_t line) {
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
   for (std::size_t i = line; i < lines_.size(); ++i) lines_[i].first -= kOffsets;
   for (RoadVehicle& vehicle : vehicles_) vehicle.index -= kOffsets;
+}
+
+void RoadState::free_line(const RoadLine& line, double station, double sigma) {
+  for (int k = 0; k < kOffsets; ++k) {
+    if (first_offset_ + k * kOffsetSpacing < station) continue;
+    numbers_.add_noise(line.first + k, square(sigma));
+  }
 }
 
 RoadVehicle* RoadState::add_vehicle(std::int64_t track_id) {

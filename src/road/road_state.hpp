@@ -13,6 +13,8 @@
 
 namespace lanefuse {
 
+inline constexpr double kEverywhere = -1e9;  ///< [m] begins, as far as anyone knows, nowhere
+
 /// A line along the road, painted or only witnessed. Its lateral offsets from the axis are numbers of the
 /// state.
 struct RoadLine {
@@ -20,10 +22,13 @@ struct RoadLine {
   int first = 0;  ///< of its offsets in the state
   LineLabel label = kNoLabel;
   MarkingEvidence marking;
-  double seen_at = 0;       ///< [m] driven when it was last seen
-  double seen_for = 0;      ///< [m] driven in which it has been seen
-  double reach = 0;         ///< [m] station up to which it is seen, of late
-  std::uint16_t paint = 0;  ///< measurements of each kind in this cycle
+  double seen_at = 0;           ///< [m] driven when it was last seen
+  double seen_for = 0;          ///< [m] driven in which it has been seen
+  double begin = kEverywhere;   ///< [m] from the car to where it begins, where that has been seen
+  double pull = 0;              ///< frames of late in which its paint lay beside where it should be
+  double traffic_on_left = 0;   ///< sightings of vehicles between it and the next line on its left
+  double traffic_on_right = 0;  ///< and on its right
+  std::uint16_t paint = 0;      ///< measurements of each kind in this cycle
   std::uint16_t tracked = 0;
   std::uint16_t witnessed = 0;
 };
@@ -90,6 +95,8 @@ class RoadState {
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
   void remove_vehicle(std::size_t vehicle);
+  /// Lets the line go its own way from a station on: its offsets there are as uncertain as `sigma`.
+  void free_line(const RoadLine& line, double station, double sigma);
   [[nodiscard]] const RoadLine* find_line(std::uint64_t id) const;
 
   /// A line's offset and its slope at a station.

@@ -136,6 +136,8 @@ bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& stat
   auto& lines = state.lines();
   ++lines[left].witnessed;
   ++lines[right].witnessed;
+  lines[left].traffic_on_right += 1;
+  lines[right].traffic_on_left += 1;
   return true;
 }
 
