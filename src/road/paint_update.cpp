@@ -15,7 +15,9 @@ constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0,
 constexpr double kGateSigmas = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
-constexpr std::size_t kPulling = 2;  ///< features of a band
+constexpr std::size_t kPulling = 5;  ///< features of a frame
+constexpr double kPainted = 2;       ///< features in a frame, of a line that is painted
+constexpr double kDensityGain = 0.2;
 constexpr double kPulledFrames = 3;
 constexpr double kFreedBefore = 25;  ///< [m] before the first such band
 constexpr double kFreedSigma = 0.5;  ///< [m]
@@ -69,10 +71,14 @@ bool PaintUpdate::is_void(const Feature& feature) const {
 void PaintUpdate::let_go(RoadState& state) {
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     RoadLine& line = state.lines()[i];
-    line.pull = near_[i].pulled_bands > 0 ? line.pull + 1 : line.pull * 0.6;
+    const Near& near = near_[i];
+    line.density += kDensityGain * (static_cast<double>(near.on) - line.density);
+    const std::size_t more = std::max(near.left, near.right);
+    const bool pulled = more >= kPulling && more > 4 * std::min(near.left, near.right);
+    line.pull = pulled ? line.pull + 1 : line.pull * 0.6;
     if (line.pull < kPulledFrames) continue;
     line.pull = 1;
-    state.free_line(line, near_[i].pulled_from - kFreedBefore, kFreedSigma);
+    state.free_line(line, near.from - kFreedBefore, kFreedSigma);
   }
 }
 
@@ -119,13 +125,11 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
     if (is_void(*by_range_[next_])) continue;
     give(*by_range_[next_], now_from_measured, state);
   }
+  const bool labelled = config_.association == RoadAssociation::labelled;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
-    if (near_[i].beside >= kPulling && near_[i].beside >= 2 * given_[i].size()) {
-      near_[i].pulled_from = std::min(near_[i].pulled_from, begin);
-      ++near_[i].pulled_bands;
-    }
-    near_[i].beside = 0;
-    if (given_[i].empty()) continue;
+    near_[i].on += given_[i].size();
+    // What few features there are where a line has no paint are of something else.
+    if (given_[i].empty() || (!labelled && state.lines()[i].density < kPainted)) continue;
     used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
   }
 }
@@ -153,7 +157,11 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
       given_[nearest].push_back({least, variance, &feature});
       return;
     }
-    if (std::abs(least) < kBeside) ++near_[nearest].beside;
+    if (std::abs(least) < kBeside) {
+      Near& near = near_[nearest];
+      ++(least > 0 ? near.left : near.right);
+      near.from = std::min(near.from, feature.x);
+    }
   }
   strays_.push_back({foot.place.station, foot.lateral, feature.marking, feature.label});
 }

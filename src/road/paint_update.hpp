@@ -55,9 +55,10 @@ class PaintUpdate {
   std::size_t used_ = 0;
   /// What a line has in this band.
   struct Near {
-    std::size_t beside = 0;    ///< features that are nearest to it, and not near enough
-    double pulled_from = 1e9;  ///< [m] where, in this frame, they first were more than those on it
-    int pulled_bands = 0;
+    std::size_t on = 0;     ///< features of this frame on it
+    std::size_t left = 0;   ///< features that are nearest to it, not near enough, and on its left
+    std::size_t right = 0;  ///< and on its right
+    double from = 1e9;      ///< [m] the first of them
   };
   void let_go(RoadState& state);
   void find_yellow();

@@ -54,7 +54,7 @@ struct TrackedLaneConfig {
 
 /// Other vehicles as witnesses of the road's course.
 struct VehiclesConfig {
-  WanderingError driver{0.3, 7};    ///< [m] about the middle of the lane
+  WanderingError driver{0.3, 25};   ///< [m] about the middle of the lane
   WanderingError sensor{0.3, 0.8};  ///< [m] of the tracks' places, shared by looks that follow each other
   double misalignment_deg = 0.08;   ///< [deg] that all tracks share
 };

@@ -25,6 +25,7 @@ struct RoadLine {
   double seen_at = 0;           ///< [m] driven when it was last seen
   double seen_for = 0;          ///< [m] driven in which it has been seen
   double begin = kEverywhere;   ///< [m] from the car to where it begins, where that has been seen
+  double density = 6;           ///< features of paint on it in a frame, of late
   double pull = 0;              ///< frames of late in which its paint lay beside where it should be
   double traffic_on_left = 0;   ///< sightings of vehicles between it and the next line on its left
   double traffic_on_right = 0;  ///< and on its right
