@@ -14,6 +14,8 @@ namespace {
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
+constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
+constexpr double kMostRepeats = 20;
 constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
 constexpr std::size_t kPulling = 5;  ///< features of a frame
 constexpr double kPainted = 2;       ///< features in a frame, of a line that is painted
@@ -31,7 +33,9 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state) {
+std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, double moved,
+                              RoadState& state) {
+  repeats_ = std::clamp(kFreshWay / std::max(moved, 1e-3), 1.0, kMostRepeats);
   by_range_.clear();
   strays_.clear();
   for (const Feature& feature : set.features) by_range_.push_back(&feature);
@@ -206,7 +210,7 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   }
   residual /= weights;
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
-  const double noise = 1 / weights;
+  const double noise = repeats_ / weights;
   if (config_.association == RoadAssociation::gated &&
       square(residual) > square(kRefusedSigmas) * (state.numbers().variance(row) + noise)) {
     return 0;

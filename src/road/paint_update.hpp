@@ -26,7 +26,8 @@ class PaintUpdate {
   explicit PaintUpdate(const RoadConfig& config) : config_(config) {}
 
   /// Gives how many features were given to lines; the others are in strays().
-  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
+  /// `moved` [m] by the car since the last frame: what is seen again from the same place says little new.
+  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, double moved, RoadState& state);
 
   /// Before any line is known: what the features' headings say of the road's course, which lets them be
   /// sorted into lines even in a bend.
@@ -53,6 +54,7 @@ class PaintUpdate {
   std::vector<const Feature*> by_range_;
   std::size_t next_ = 0;
   std::size_t used_ = 0;
+  double repeats_ = 1;
   /// What a line has in this band.
   struct Near {
     std::size_t on = 0;     ///< features of this frame on it

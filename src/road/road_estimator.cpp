@@ -77,9 +77,9 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
   const Pose2 now_from_measured = odometry_from_vehicle.inverse() * odometry_from_measured;
   std::size_t used = 0;
   if (!set.clothoids.empty()) {
-    const double seconds = last_tracked_ ? to_seconds(set.measured_at - *last_tracked_) : 1;
-    last_tracked_ = set.measured_at;
-    used += tracked_lane_.take(set, now_from_measured, std::max(0.0, seconds), state_);
+    const double station = state_.driven() + now_from_measured.x;
+    used += tracked_lane_.take(set, now_from_measured, station - tracked_taken_at_, state_);
+    tracked_taken_at_ = station;
   }
   if (!set.features.empty()) {
     const bool vehicles = set.features.front().track_id != kNoTrack;
@@ -87,7 +87,9 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
       used += 2 * vehicles_.take(set, now_from_measured, state_);
     } else {
       if (state_.lines().empty()) paint_.take_headings(set, now_from_measured, state_);
-      const std::size_t given = paint_.take(set, now_from_measured, state_);
+      const std::size_t given =
+          paint_.take(set, now_from_measured, state_.driven() - paint_taken_at_, state_);
+      paint_taken_at_ = state_.driven();
       used += given;
       births_.gather(paint_.strays(), state_);
       if (!state_.lines().empty() && has_lost_the_road(given)) forget_road();
@@ -117,6 +119,8 @@ void RoadEstimator::forget_road() {
   state_.clear();
   births_.clear();
   lost_frames_ = 0;
+  paint_taken_at_ = 0;
+  tracked_taken_at_ = 0;
 }
 
 void RoadEstimator::judge() {
@@ -146,7 +150,6 @@ void RoadEstimator::reset() {
   births_.clear();
   writer_.clear();
   last_odometry_from_vehicle_.reset();
-  last_tracked_.reset();
   estimate_ = {};
   debug_ = {};
 }

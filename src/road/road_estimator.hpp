@@ -49,8 +49,9 @@ class RoadEstimator final : public LaneEstimator {
   StageListener stage_done_ = [](Stage) {};
   std::optional<Pose2> last_odometry_from_vehicle_;
   Time last_cycle_{};
-  std::optional<Time> last_tracked_;
-  int lost_frames_ = 0;  ///< in which most of the paint was of no line
+  double tracked_taken_at_ = 0;  ///< [m] driven
+  double paint_taken_at_ = 0;    ///< [m] driven
+  int lost_frames_ = 0;          ///< in which most of the paint was of no line
   LaneEstimate estimate_;
   DebugView debug_;
 };

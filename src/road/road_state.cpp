@@ -10,7 +10,8 @@ namespace lanefuse {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kBehind = 15;  ///< [m] of road that stays known behind the car
+constexpr double kStanding = 0.05;  ///< [m/s] slower, the car stands
+constexpr double kBehind = 15;      ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -66,7 +67,20 @@ void RoadState::rebuild_axis() {
   axis_.rebuild(numbers_.mean(kHeading), curvatures, first_knot_);
 }
 
+/// A car that stands does not turn: whatever its dead reckoning says of that is what it errs by.
+bool RoadState::stand(const Pose2& before_from_now, double seconds) {
+  if (seconds <= 0 || before_from_now.position().norm() > kStanding * seconds) return false;
+  SparseRow row;
+  row.add(kYawRateError, 1);
+  const double noise = square(config_.motion.heading_deg * kDegree) / seconds;
+  numbers_.update(row, before_from_now.heading / seconds - numbers_.mean(kYawRateError), noise);
+  decay_errors(seconds);
+  rebuild_axis();
+  return true;
+}
+
 void RoadState::drive(const Pose2& before_from_now, double seconds) {
+  if (stand(before_from_now, seconds)) return;
   const double heading = numbers_.mean(kHeading);
   const Eigen::Vector2d way = rotation(heading) * before_from_now.position();
   const KnotWeights near = knot_weights(way.x() / 2, first_knot_, RoadAxis::kKnotSpacing, RoadAxis::kKnots);

@@ -118,6 +118,7 @@ class RoadState {
   [[nodiscard]] double first_offset() const { return first_offset_; }
 
  private:
+  bool stand(const Pose2& before_from_now, double seconds);
   void move_knots();
   void decay_errors(double seconds);
   [[nodiscard]] SparseRow next_crest(int before) const;

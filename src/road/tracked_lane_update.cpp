@@ -15,8 +15,9 @@ constexpr double kGate = 1.2;      ///< [m] from a line that is known
 constexpr double kFound = 2.2;     ///< [m] from all lines: a new one
 constexpr double kNear = 5;        ///< [m] where the side is compared
 constexpr double kFloor = 0.03;    ///< [m] no tracked lane is better
-constexpr double kUsualRate = 25;  ///< [Hz] for which the inflation is meant
-constexpr double kRefused = 16;    ///< squared sigmas of a number of the course
+constexpr double kUsualWay = 1.2;  ///< [m] driven between two, for which the inflation is meant
+constexpr double kMostRepeats = 50;
+constexpr double kRefused = 16;  ///< squared sigmas of a number of the course
 
 double square(double x) { return x * x; }
 
@@ -48,7 +49,7 @@ std::size_t TrackedLaneUpdate::line_of(const ClothoidMeasurement& side, const Po
   return state.lines().size() - 1;
 }
 
-std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, double seconds,
+std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, double moved,
                                     RoadState& state) {
   const ClothoidMeasurement* left = nullptr;
   const ClothoidMeasurement* right = nullptr;
@@ -63,7 +64,7 @@ std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from
     if (sides[i] && lines[i] == state.lines().size()) sides[i] = nullptr;
   }
   const double inflation =
-      config_.tracked_lane.inflation / std::clamp(kUsualRate * seconds, 0.2, config_.tracked_lane.inflation);
+      config_.tracked_lane.inflation * std::clamp(kUsualWay / std::max(moved, 1e-3), 0.1, kMostRepeats);
   for (std::size_t i = 0; i < 2; ++i) {
     if (!sides[i]) continue;
     RoadLine& line = state.lines()[lines[i]];

@@ -15,8 +15,9 @@ class TrackedLaneUpdate {
  public:
   explicit TrackedLaneUpdate(const RoadConfig& config) : config_(config) {}
 
-  /// Sides that are no line yet found one. Gives how many clothoids were taken.
-  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, double seconds, RoadState& state);
+  /// `moved` [m] by the car since the last one. Sides that are no line yet found one. Gives how many
+  /// clothoids were taken.
+  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, double moved, RoadState& state);
 
  private:
   /// The index of the line that the clothoid is of, or lines().size().

@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kWidestLane = 5.5;  ///< [m]
 constexpr double kNarrowestLane = 2.2;
-constexpr double kForgotten = 3;   ///< [s] unseen
-constexpr double kAway = 1.0;      ///< [m] from the middle: on the way to another lane
-constexpr double kSurprising = 4;  ///< mean squared surprise of a vehicle that changes lane
+constexpr double kForgotten = 3;     ///< [s] unseen
+constexpr double kUncertain = 0.5;   ///< [m] sigma of the lane's middle, above which lanes may be mixed up
+constexpr double kAway = 1.0;        ///< [m] from the middle: on the way to another lane
+constexpr double kSurprising = 2.5;  ///< mean squared surprise of a vehicle that changes lane
 
 double square(double x) { return x * x; }
 
@@ -34,6 +35,17 @@ bool lane_at(const RoadState& state, double station, double lateral, std::size_t
   const double width = nearest_left + nearest_right;
   return nearest_left < kWidestLane && nearest_right < kWidestLane && width < kWidestLane &&
          width > kNarrowestLane;
+}
+
+/// Whether the road's course is known well enough there to say which lane a place is in.
+bool is_certain(const RoadState& state, const RoadAxis::Foot& foot, const RoadLine& left,
+                const RoadLine& right) {
+  SparseRow row;
+  const double station = foot.place.station;
+  state.add_lateral(row, foot.place);
+  state.add_offset(row, left, station, -0.5);
+  state.add_offset(row, right, station, -0.5);
+  return state.numbers().variance(row) < square(kUncertain);
 }
 
 }  // namespace
@@ -64,6 +76,10 @@ std::size_t VehicleUpdate::take(const FeatureSet& set, const Pose2& now_from_mea
   for (std::size_t i = state.vehicles().size(); i-- > 0;) {
     if (to_seconds(set.measured_at - state.vehicles()[i].seen) > kForgotten) state.remove_vehicle(i);
   }
+  // From near to far: what the near ones tell of the road's course says in which lanes the far ones are.
+  std::sort(sightings_.begin(), sightings_.end(), [](const Sighting& a, const Sighting& b) {
+    return a.range < b.range || (a.range == b.range && a.track_id < b.track_id);
+  });
   std::size_t used = 0;
   for (const Sighting& sighting : sightings_) {
     if (take_one(sighting, set.measured_at, state)) ++used;
@@ -103,6 +119,8 @@ bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& stat
   const RoadLine& left_line = state.lines()[left];
   const RoadLine& right_line = state.lines()[right];
   const double middle = (state.offset(left_line, station) + state.offset(right_line, station)) / 2;
+  const bool is_known = known != vehicles.end();
+  if (!labelled && !is_known && !is_certain(state, foot, left_line, right_line)) return false;
   if (known == vehicles.end() || known->left != left_line.id || known->right != right_line.id) {
     if (known != vehicles.end()) state.remove_vehicle(static_cast<std::size_t>(known - vehicles.begin()));
     RoadVehicle* vehicle = state.add_vehicle(sighting.track_id);
@@ -132,7 +150,7 @@ bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& stat
   if (known->surprise > kSurprising || std::abs(foot.lateral - middle) > kAway + std::sqrt(expected)) {
     return true;
   }
-  state.numbers().update(row, -residual, own * repeats);
+  state.numbers().update(row, -residual, own * repeats * square(std::max(1.0, known->surprise)));
   auto& lines = state.lines();
   ++lines[left].witnessed;
   ++lines[right].witnessed;
