@@ -42,6 +42,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   stage_done_(Stage::association);
   for (const FeatureSet& set : cycle.features) take(set, cycle, odometry_from_vehicle);
   births_.found_lines(state_);
+  lane_births_.found_lanes(usual_width_, state_);
   births_.forget_lines(state_);
   stage_done_(Stage::solve);
   state_.rebuild_axis();
@@ -64,7 +65,9 @@ void RoadEstimator::drive(const Pose2& odometry_from_vehicle, Time now) {
   const double driven = state_.driven();
   const double heading = state_.numbers().mean(kHeading);
   state_.drive(moved, seconds);
-  births_.move((rotation(heading) * moved.position()).y(), state_.driven() - driven);
+  const double aside = (rotation(heading) * moved.position()).y();
+  births_.move(aside, state_.driven() - driven);
+  lane_births_.move(aside, seconds);
 }
 
 void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2& odometry_from_vehicle) {
@@ -85,6 +88,8 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
     const bool vehicles = set.features.front().track_id != kNoTrack;
     if (vehicles) {
       used += 2 * vehicles_.take(set, now_from_measured, state_);
+      lane_births_.gather(vehicles_.strays(), state_);
+      usual_width_ = set.lane_width.value_or(LaneWidth{});
     } else {
       if (state_.lines().empty()) paint_.take_headings(set, now_from_measured, state_);
       const std::size_t given =
@@ -118,6 +123,7 @@ bool RoadEstimator::has_lost_the_road(std::size_t given) {
 void RoadEstimator::forget_road() {
   state_.clear();
   births_.clear();
+  lane_births_.clear();
   lost_frames_ = 0;
   paint_taken_at_ = 0;
   tracked_taken_at_ = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/estimator.hpp"
+#include "road/lane_births.hpp"
 #include "road/lane_writer.hpp"
 #include "road/line_births.hpp"
 #include "road/paint_update.hpp"
@@ -45,13 +46,15 @@ class RoadEstimator final : public LaneEstimator {
   TrackedLaneUpdate tracked_lane_;
   VehicleUpdate vehicles_;
   LineBirths births_;
+  LaneBirths lane_births_;
   LaneWriter writer_;
   StageListener stage_done_ = [](Stage) {};
   std::optional<Pose2> last_odometry_from_vehicle_;
   Time last_cycle_{};
   double tracked_taken_at_ = 0;  ///< [m] driven
   double paint_taken_at_ = 0;    ///< [m] driven
-  int lost_frames_ = 0;          ///< in which most of the paint was of no line
+  LaneWidth usual_width_;
+  int lost_frames_ = 0;  ///< in which most of the paint was of no line
   LaneEstimate estimate_;
   DebugView debug_;
 };

@@ -174,6 +174,28 @@ RoadLine* RoadState::add_line(double offset, double sigma) {
   return &line;
 }
 
+RoadLine* RoadState::add_line_beside(std::uint64_t known, double distance, double sigma) {
+  const RoadLine* beside = find_line(known);
+  if (!beside || lines_.size() == kMostLines || !numbers_.has_room(kOffsets)) return nullptr;
+  while (!vehicles_.empty()) remove_vehicle(vehicles_.size() - 1);
+  const int first = beside->first;
+  RoadLine& line = lines_.emplace_back();
+  line.id = next_line_++;
+  SparseRow same;
+  same.add(first, 1);
+  line.first = numbers_.append(same, distance, square(sigma));
+  for (int k = 1; k < kOffsets; ++k) {
+    SparseRow parallel;
+    parallel.add(first + k, 1);
+    parallel.add(line.first + k - 1, 1);
+    parallel.add(first + k - 1, -1);
+    numbers_.append(parallel, 0, square(config_.course.offset_step));
+  }
+  line.seen_at = driven_;
+  line.density = 0;
+  return &line;
+}
+
 void RoadState::remove_line(std::size_t line) {
   numbers_.remove(lines_[line].first, kOffsets);
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));

@@ -93,6 +93,8 @@ class RoadState {
 
   /// Adds a line `offset` left of the axis, as well known as `sigma`; null where there is no room.
   RoadLine* add_line(double offset, double sigma);
+  /// Adds a line that is `distance` left of a known one, all along, give or take `sigma`.
+  RoadLine* add_line_beside(std::uint64_t known, double distance, double sigma);
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
   void remove_vehicle(std::size_t vehicle);
