@@ -19,8 +19,8 @@ struct SuiteChoice {
   std::optional<std::string> variant;  ///< only this one, or all
   bool detections = false;             ///< each drive once more, on raw detections
   std::vector<std::uint64_t> seeds{1};
-  std::optional<double> km;  ///< of each drive
-  std::string estimator = "graph";
+  std::optional<double> km;                      ///< of each drive
+  std::vector<std::string> estimators{"graph"};  ///< each drive once with each
   std::string truth = "exact";
 };
 

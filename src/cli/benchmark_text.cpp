@@ -61,8 +61,15 @@ std::string cell(const std::optional<FigureMean>& mean, int digits, double facto
                      factor * (*mean->high - *mean->low) / 2, digits);
 }
 
-Row rmse_row(const Summary& summary, bool adjacent) {
-  Row row{adjacent ? "" : summary.name, adjacent ? "adjacent" : "ego"};
+/// Of rows that differ in their estimator alone, each says which it is.
+std::string row_name(const std::vector<Summary>& summaries, const Summary& summary) {
+  const bool one = std::all_of(summaries.begin(), summaries.end(),
+                               [&](const Summary& other) { return other.estimator == summary.estimator; });
+  return one ? summary.name : fmt::format("{}, {}", summary.name, summary.estimator);
+}
+
+Row rmse_row(const std::string& name, const Summary& summary, bool adjacent) {
+  Row row{adjacent ? "" : name, adjacent ? "adjacent" : "ego"};
   for (std::size_t i = 0; i < kShownDistances; ++i)
     row.push_back(cell(summary.means[rmse_figure(adjacent, i)], 3));
   row.push_back(cell(summary.means[adjacent ? kAdjacentReaches : kEgoReaches], 1, 100));
@@ -81,7 +88,8 @@ std::string rmse_table(const std::vector<Summary>& summaries, bool markdown) {
   std::vector<Row> rows{{"drives", "lane", "0", "20", "40", "60", "80", "100", "120 m", "reaches 60 m [%]"}};
   bool nominal = false;
   for (const Summary& summary : summaries) {
-    for (const bool adjacent : {false, true}) rows.push_back(rmse_row(summary, adjacent));
+    for (const bool adjacent : {false, true})
+      rows.push_back(rmse_row(row_name(summaries, summary), summary, adjacent));
     nominal = nominal || summary.nominal;
   }
   if (nominal) {

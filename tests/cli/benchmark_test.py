@@ -108,6 +108,36 @@ class Drives(BenchmarkTest):
         self.assertNotIn("significantly", same)
 
 
+class Estimators(BenchmarkTest):
+    def test_both_drive_the_same_drives_and_are_compared(self):
+        self.drive("both.jsonl", "--seeds", "1-2", "--no-times", "--estimator", "graph,road")
+        lines = self.lines("both.jsonl")
+        self.assertEqual([(line["seed"], line["estimator"]) for line in lines],
+                         [(1, "graph"), (1, "road"), (2, "graph"), (2, "road")])
+        self.assertIn("graph", lines[0])
+        self.assertNotIn("graph", lines[1])
+        self.assertNotEqual(lines[0]["configuration_hash"], lines[1]["configuration_hash"])
+        self.assertEqual(lines[0]["inputs"], lines[1]["inputs"])
+        compared = self.succeed("benchmark", "compare", "both.jsonl", "both.jsonl", "--estimator-a", "graph",
+                                "--estimator-b", "road")
+        self.assertEqual((compared["pairs"], compared["only_in_a"], compared["only_in_b"]), (2, 0, 0))
+        table = self.call("benchmark", "table", "both.jsonl").stdout
+        self.assertIn("nominal, gentle, full, road", table)
+
+    def test_what_contradicts_itself_is_refused(self):
+        self.refuse(2, "benchmark", "--set", "estimator=road", "-o", "x.jsonl", naming="--estimator")
+        self.refuse(2, "benchmark", "--estimator", "graph,x", "-o", "x.jsonl", naming="graph, road")
+        self.refuse(2, "bench", "endurance", "--estimator", "road", "--beside", "direct", naming="--beside")
+        self.drive("graph.jsonl", "--seeds", "1", "--no-times")
+        self.refuse(2, "benchmark", "compare", "graph.jsonl", "graph.jsonl", "--estimator-b", "road",
+                    naming="no drive of estimator road")
+
+    def test_a_long_drive_takes_either(self):
+        for estimator in ("graph", "road"):
+            said = self.succeed("bench", "endurance", "--hours", 0.002, "--estimator", estimator)
+            self.assertEqual({stretch["estimator"] for stretch in said["stretches"]}, {estimator})
+
+
 class Times(BenchmarkTest):
     def test_times_are_all_that_differs(self):
         for name in ("a.jsonl", "b.jsonl"):
