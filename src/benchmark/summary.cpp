@@ -98,7 +98,11 @@ std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by) {
     groups[place->second].second.push_back(&line);
   }
   std::vector<Summary> summaries;
-  for (const auto& [name, members] : groups) summaries.push_back(summary_of(name, members));
+  const EstimatorRatios ratios(lines);
+  for (const auto& [name, members] : groups) {
+    summaries.push_back(summary_of(name, members));
+    summaries.back().ratios = ratios.of(members);
+  }
   return summaries;
 }
 

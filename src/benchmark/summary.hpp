@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/estimator_ratio.hpp"
 #include "benchmark/figure.hpp"
 #include "benchmark/result_line.hpp"
 
@@ -25,6 +26,7 @@ struct Summary {
   double km = 0;  ///< a drive
   std::size_t drives = 0;
   std::vector<std::optional<FigureMean>> means;  ///< of figures(), in their order
+  std::vector<EstimatorRatio> ratios = {};       ///< where other estimators have driven the same
 };
 
 /// Rows in the order in which their first line comes. Throws an input Error where drives come from different

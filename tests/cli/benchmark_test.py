@@ -97,6 +97,27 @@ class Drives(BenchmarkTest):
         markdown = self.call("benchmark", "table", "results.jsonl", "--markdown", "--by", "variant").stdout
         self.assertRegex(markdown, r"\| full \| ego \| 0\.\d{3} ±0\.\d{3} \|")
 
+    def test_a_table_says_how_far_the_oracle_is(self):
+        lines = self.lines("results.jsonl")
+        for line in lines:
+            line["estimator"] = "oracle"
+            for lane in line["lanes"].values():
+                for entry in lane:
+                    entry["rmse_m"] = entry["rmse_m"] and entry["rmse_m"] / 2
+        (self.folder / "oracle.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+        command = ["benchmark", "table", "results.jsonl", "oracle.jsonl"]
+        rows = {row["estimator"]: row for row in self.succeed(*command)}
+        self.assertNotIn("ratios", rows["oracle"])
+        (ratios,) = rows["graph"]["ratios"]
+        self.assertEqual((ratios["to"], ratios["drives"], len(ratios["figures"])), ("oracle", 3, 14))
+        at_60_m = ratios["figures"][3]
+        self.assertEqual(at_60_m["figure"], "ego RMSE at 60 m")
+        for key in ("ratio", "low", "high"):
+            self.assertAlmostEqual(at_60_m[key], 2)
+        self.assertRegex(self.call(*command).stdout, r"\n +ego x oracle +2\.00 ±0\.00 ")
+        self.assertIn("| ego x oracle | 2.00 ±0.00 |", self.call(*command, "--markdown").stdout)
+        self.assertNotIn(" x ", self.call("benchmark", "table", "results.jsonl").stdout)
+
     def test_compare_pairs_drives_and_judges(self):
         self.drive("without.jsonl", "--seeds", "1-3", "--no-times", "--variant", "no-objects")
         compared = self.succeed("benchmark", "compare", "results.jsonl", "without.jsonl")
