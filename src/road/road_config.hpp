@@ -20,16 +20,18 @@ struct WanderingError {
 struct RoadCourseConfig {
   double curvature_step = 0.7e-4;  ///< [1/m] sigma of the curvature's change over one knot spacing, at least
   double curvature_step_max = 2e-3;  ///< [1/m] and at most, where the road behind was that restless
-  double habit_m = 600;              ///< [m] of road behind that say how restless it is
-  double first_curvature = 1.5e-3;   ///< [1/m] sigma before anything is known
-  double first_heading_deg = 2;      ///< [deg] the same of the car's heading along the road
-  double offset_step = 0.02;         ///< [m] sigma of a marking's sideways drift over one offset spacing
+  double churn = 0.05;   ///< share of such a step by which a knot errs anew, over one spacing driven
+  double habit_m = 600;  ///< [m] of road behind that say how restless it is
+  double first_curvature = 1.5e-3;  ///< [1/m] sigma before anything is known
+  double first_heading_deg = 2;     ///< [deg] the same of the car's heading along the road
+  double offset_step = 0.02;        ///< [m] sigma of a marking's sideways drift over one offset spacing
 };
 
 /// What the car's dead reckoning errs by.
 struct RoadMotionConfig {
   double heading_deg = 0.02;           ///< [deg/sqrt(s)] random walk of the heading
   double slip = 0.003;                 ///< [m/sqrt(m)] sideways
+  double speed_scale = 0.005;          ///< relative error of the speed
   double yaw_rate_bias_deg = 0.05;     ///< [deg/s] left in the yaw rate
   double yaw_rate_drift_deg = 0.0005;  ///< [deg/s/sqrt(s)] by which that changes
 };

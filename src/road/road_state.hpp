@@ -46,14 +46,15 @@ struct RoadVehicle {
 
 /// What the state's numbers from the second on are.
 enum RoadNumber : int {
-  kHeading = 0,                              ///< [rad] of the car along the axis
-  kYawRateError = 1,                         ///< [rad/s] by which the dead reckoning turns too fast
-  kPaintYaw = 2,                             ///< [rad] of the marking camera's mounting
-  kPaintLean = 3,                            ///< [rad] by which its latest frame leans beyond that
-  kPaintPitch = 4,                           ///< [1/m] pitch of its latest frame over its height
-  kTrackedYaw = 5,                           ///< [rad] of the lane-tracking camera's mounting
-  kVehicleYaw = 6,                           ///< [rad] of all vehicles' bearings
-  kCurvatures = 7,                           ///< [1/m] RoadAxis::kKnots of them
+  kHeading = 0,       ///< [rad] of the car along the axis
+  kYawRateError = 1,  ///< [rad/s] by which the dead reckoning turns too fast
+  kPaintYaw = 2,      ///< [rad] of the marking camera's mounting
+  kPaintLean = 3,     ///< [rad] by which its latest frame leans beyond that
+  kPaintPitch = 4,    ///< [1/m] pitch of its latest frame over its height
+  kTrackedYaw = 5,    ///< [rad] of the lane-tracking camera's mounting
+  kVehicleYaw = 6,    ///< [rad] of all vehicles' bearings
+  kSpeedScale = 7,    ///< share by which the car goes further than its dead reckoning says
+  kCurvatures = 8,    ///< [1/m] RoadAxis::kKnots of them
   kCrests = kCurvatures + RoadAxis::kKnots,  ///< [1/m^2] vertical curvatures over the camera's height
   kFixedNumbers = kCrests + 6
 };
@@ -98,6 +99,10 @@ class RoadState {
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
   void remove_vehicle(std::size_t vehicle);
+  /// [1/m] sigma by which this road's curvature changes over one knot spacing.
+  [[nodiscard]] double usual_step() const;
+  /// Lets the road bend from a station on as no road behind did.
+  void free_course(double station);
   /// Lets the line go its own way from a station on: its offsets there are as uncertain as `sigma`.
   void free_line(const RoadLine& line, double station, double sigma);
   [[nodiscard]] const RoadLine* find_line(std::uint64_t id) const;
