@@ -148,7 +148,11 @@ void RoadState::decay_errors(double seconds) {
   wander(kTrackedYaw, std::exp(-seconds / tracked.tau), tracked.sigma * kDegree);
   const WanderingError& driver = config_.vehicles.driver;
   for (const RoadVehicle& vehicle : vehicles_) {
-    wander(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
+    if (vehicle.in_lane) {
+      wander(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
+    } else {
+      numbers_.add_noise(vehicle.index, 2 * seconds / driver.tau * square(driver.sigma));
+    }
   }
   numbers_.add_noise(kYawRateError, square(config_.motion.yaw_rate_drift_deg * kDegree) * seconds);
 }
@@ -244,6 +248,15 @@ RoadVehicle* RoadState::add_vehicle(std::int64_t track_id) {
   vehicle.track_id = track_id;
   vehicle.index = numbers_.append(0, square(config_.vehicles.driver.sigma));
   return &vehicle;
+}
+
+RoadVehicle* RoadState::add_stranger(std::int64_t track_id, double aside, double sigma) {
+  RoadVehicle* vehicle = add_vehicle(track_id);
+  if (!vehicle) return nullptr;
+  vehicle->in_lane = false;
+  numbers_.set_mean(vehicle->index, aside);
+  numbers_.add_noise(vehicle->index, square(sigma));
+  return vehicle;
 }
 
 void RoadState::remove_vehicle(std::size_t vehicle) {

@@ -40,6 +40,7 @@ struct RoadVehicle {
   int index = 0;
   std::uint64_t left = 0;  ///< lines of its lane
   std::uint64_t right = 0;
+  bool in_lane = true;  ///< else nobody knows its lane, and both lines are the one that it is compared with
   Time seen{};
   double surprise = 0;  ///< squared, against what was expected, smoothed
 };
@@ -98,6 +99,8 @@ class RoadState {
   RoadLine* add_line_beside(std::uint64_t known, double distance, double sigma);
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
+  /// A vehicle in nobody knows which lane: where it is says nothing, how it moves does.
+  RoadVehicle* add_stranger(std::int64_t track_id, double aside, double sigma);
   void remove_vehicle(std::size_t vehicle);
   /// [1/m] sigma by which this road's curvature changes over one knot spacing.
   [[nodiscard]] double usual_step() const;
