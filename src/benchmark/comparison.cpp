@@ -20,18 +20,29 @@ namespace {
 
 using Side = std::map<DriveKey, const ResultLine*>;
 
-std::set<std::pair<std::string, std::string>> systems_of(std::span<const ResultLine> lines) {
-  std::set<std::pair<std::string, std::string>> systems;
-  for (const ResultLine& line : lines) systems.emplace(line.key.variant, line.key.estimator);
-  return systems;
+/// What of a drive's key must agree for two to be a pair, beside what was driven.
+struct Named {
+  bool variant = false;
+  bool estimator = false;
+};
+
+/// Whether some side holds several values of a part of its keys, which then must be told apart by name.
+bool holds_several(std::span<const ResultLine> a, std::span<const ResultLine> b,
+                   std::string DriveKey::*part) {
+  const auto several = [part](std::span<const ResultLine> lines) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const ResultLine& line) { return line.key.*part != lines.front().key.*part; });
+  };
+  return several(a) || several(b);
 }
 
-/// The lines by what was driven; by what drove it, too, where `by_system`.
-Side by_drive(std::span<const ResultLine> lines, bool by_system) {
+/// The lines by what was driven, and by what drove it as far as that is to be `named`.
+Side by_drive(std::span<const ResultLine> lines, const Named& named) {
   Side side;
   for (const ResultLine& line : lines) {
     DriveKey key = line.key;
-    if (!by_system) key.variant = key.estimator = "";
+    if (!named.variant) key.variant.clear();
+    if (!named.estimator) key.estimator.clear();
     const auto [known, is_new] = side.emplace(key, &line);
     if (!is_new) {
       throw configuration_error(line.place, fmt::format("is the same drive as {}", known->second->place));
@@ -155,9 +166,9 @@ const char* to_string(Verdict verdict) {
 
 Comparison compare(std::span<const ResultLine> a, std::span<const ResultLine> b) {
   demand_same_sensors_and_scenes(a, b);
-  const bool by_system = systems_of(a).size() > 1 || systems_of(b).size() > 1;
-  const Side in_a = by_drive(a, by_system);
-  const Side in_b = by_drive(b, by_system);
+  const Named named{holds_several(a, b, &DriveKey::variant), holds_several(a, b, &DriveKey::estimator)};
+  const Side in_a = by_drive(a, named);
+  const Side in_b = by_drive(b, named);
   Comparison result;
   result.pairs = static_cast<std::size_t>(std::count_if(
       in_a.begin(), in_a.end(), [&in_b](const auto& entry) { return in_b.contains(entry.first); }));

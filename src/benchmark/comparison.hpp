@@ -43,8 +43,9 @@ struct Comparison {
 /// A difference counts where its corrected probability is below this.
 inline constexpr double kSignificance = 0.05;
 
-/// Compares two sides drive by drive: the same scene, road, seed, length and truth. A side that holds one
-/// variant and estimator is compared whatever the other's is called; else both must be named alike. Where no
+/// Compares two sides drive by drive: the same scene, road, seed, length and truth. Where each
+/// side holds one variant, they are compared whatever they are called, else those of one name; so are
+/// estimators. Where no
 /// drive is in both, the sides are compared as a whole if they hold the same kinds of drives.
 ///
 /// Throws a configuration Error where there is nothing to compare, where presets differ or

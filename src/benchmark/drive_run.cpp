@@ -75,7 +75,7 @@ class DriveRun {
  public:
   DriveRun(const DriveJob& job, const WallClock& clock)
       : times_(clock),
-        config_(configure(find_variant(job.key.variant), job.assignments)),
+        config_(configure(find_variant(job.key.variant), job.key.estimator, job.assignments)),
         simulation_(simulated(job.key), nominal_preset()),
         road_(simulation_.road()),
         perception_(config_, simulation_.rig()),
@@ -121,7 +121,9 @@ class DriveRun {
     for (const char* in_head : {"truth", "drive", "preset_hash"}) line.erase(in_head);
     line["witness"] = to_string(config_.sources.objects.witness.rule);
     line["inputs"] = {{"used", inputs_.used}, {"rejected", inputs_.rejected}, {"dropped", inputs_.dropped}};
-    line["graph"] = {{"features", largest_.features}, {"edges", largest_.edges}};
+    if (config_.estimator == EstimatorKind::graph) {
+      line["graph"] = {{"features", largest_.features}, {"edges", largest_.edges}};
+    }
     times_.write(line);
     return line;
   }
@@ -143,7 +145,8 @@ class DriveRun {
 }  // namespace
 
 Provenance provenance_of(const DriveJob& job, const std::string& version) {
-  const PerceptionConfig config = configure(find_variant(job.key.variant), job.assignments);
+  const PerceptionConfig config =
+      configure(find_variant(job.key.variant), job.key.estimator, job.assignments);
   return {version, nominal_preset().hash, scene_hash(job.key.scene), fingerprint(config)};
 }
 

@@ -28,8 +28,8 @@ Provenance provenance_of(const DriveJob& job, const std::string& version);
 /// grow with its length. The same job gives the same figures; `progress` hears now and then how far it is, in
 /// [0, 1].
 ///
-/// Gives the line's JSON behind its head: what `evaluate --json` says, `inputs`, `graph`, and with a clock
-/// the keys of kTimeKeys.
+/// Gives the line's JSON behind its head: what `evaluate --json` says, `inputs`, `graph` of a graph, and with
+/// a clock the keys of kTimeKeys.
 nlohmann::ordered_json run_drive(const DriveJob& job, const WallClock& clock,
                                  const std::function<void(double)>& progress);
 

@@ -33,6 +33,20 @@ Moments moments_of(std::span<const double> values) {
   return moments;
 }
 
+/// Sums of weighted values and of weights.
+void add(const DriveSample& sample, DriveSample& sums) {
+  assert(sample.weight > 0);
+  sums.value += sample.weight * sample.value;
+  sums.weight += sample.weight;
+}
+
+double mean_of(const DriveSample& sums) { return sums.value / sums.weight; }
+
+/// By how much of itself the mean would be off if this drive alone spoke as it does.
+double lean_of(const DriveSample& sample, const DriveSample& sums) {
+  return sample.weight * (sample.value - mean_of(sums)) / sums.value;
+}
+
 Difference difference_of(const Moments& moments) {
   if (moments.freedom <= 0) return {moments.mean, {}, {}};
   const double sigma = std::sqrt(moments.variance_of_mean);
@@ -64,6 +78,26 @@ std::optional<MeanOfDrives> mean_of_drives(std::span<const DriveSample> samples)
     squares += deviation * deviation;
   }
   result.half_width = two_sided_quantile(kConfidence, n - 1) * std::sqrt(squares * n / (n - 1)) / weights;
+  return result;
+}
+
+std::optional<RatioOfMeans> ratio_of_means(std::span<const PairedSample> samples) {
+  const auto n = static_cast<double>(samples.size());
+  DriveSample over{0, 0};
+  DriveSample under{0, 0};
+  for (const PairedSample& sample : samples) {
+    add(sample.over, over);
+    add(sample.under, under);
+  }
+  if (!(over.value > 0) || !(under.value > 0)) return std::nullopt;
+  RatioOfMeans result{mean_of(over) / mean_of(under), {}};
+  if (samples.size() < 2) return result;
+  double squares = 0;
+  for (const PairedSample& sample : samples) {
+    const double lean = lean_of(sample.over, over) - lean_of(sample.under, under);
+    squares += lean * lean;
+  }
+  result.factor = std::exp(two_sided_quantile(kConfidence, n - 1) * std::sqrt(squares * n / (n - 1)));
   return result;
 }
 

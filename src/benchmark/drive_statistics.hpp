@@ -27,6 +27,24 @@ struct MeanOfDrives {
 /// weights differ). Nothing where there is no drive.
 std::optional<MeanOfDrives> mean_of_drives(std::span<const DriveSample> samples);
 
+/// One drive's word on two figures, or on one figure of two systems.
+struct PairedSample {
+  DriveSample over;
+  DriveSample under;
+};
+
+/// A ratio of two means over the same drives. Its 95 % confidence interval is [ratio / factor, ratio *
+/// factor].
+struct RatioOfMeans {
+  double ratio = 0;
+  std::optional<double> factor;  ///< at least 1; nothing from fewer than two drives
+};
+
+/// The ratio of the weighted means. Its interval is Student's t over the drives, of the ratio's logarithm to
+/// first order, so that what the two sides of a drive share is gone. Nothing where there is no drive, or
+/// where a mean is not above zero.
+std::optional<RatioOfMeans> ratio_of_means(std::span<const PairedSample> samples);
+
 /// How much larger a figure is on one side than on the other.
 struct Difference {
   double mean = 0;

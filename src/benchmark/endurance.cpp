@@ -3,6 +3,7 @@
 #include "benchmark/endurance.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -67,7 +68,7 @@ class Contender {
       : perception_(perception_config(config), rig),
         log_(stretch_hours * 3600 * config.cycle_hz + 2),
         stretch_hours_(stretch_hours) {
-    // The only estimator there is.
+    // Only graphs have solvers: drive_endurance() takes none for another estimator.
     if (solver) dynamic_cast<GraphEstimator&>(perception_.estimator()).use_solver(std::move(solver));
   }
 
@@ -99,6 +100,7 @@ class Contender {
   static PerceptionConfig perception_config(const EnduranceConfig& config) {
     PerceptionConfig result = default_config(WitnessRule::radar_and_camera);
     result.cycle_hz = config.cycle_hz;
+    result.estimator = config.estimator;
     return result;
   }
 
@@ -126,6 +128,8 @@ SimulationConfig simulation_of(const EnduranceConfig& config) {
 void drive_endurance(const EnduranceConfig& config, double stretch_hours, const MachineGauges& gauges,
                      std::vector<std::unique_ptr<WindowSolver>> solvers,
                      const std::function<void(const EnduranceStretch&)>& take) {
+  assert(config.estimator == EstimatorKind::graph ||
+         std::none_of(solvers.begin(), solvers.end(), [](const auto& solver) { return solver != nullptr; }));
   DriveSimulation simulation(simulation_of(config), nominal_preset());
   std::vector<std::unique_ptr<Contender>> contenders;
   for (auto& solver : solvers)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/lane_estimate.hpp"
+#include "pipeline/config.hpp"
 #include "pipeline/graph_estimator.hpp"
 #include "simulation/road.hpp"
 #include "simulation/scenario.hpp"
@@ -22,6 +23,7 @@ struct EnduranceConfig {
   RoadKind road = RoadKind::gentle;
   Scenario scenario;
   bool detections = false;  ///< raw detections instead of object lists
+  EstimatorKind estimator = EstimatorKind::graph;
 };
 
 /// What the machine says; handed in, as no library of ours asks it.
@@ -45,8 +47,9 @@ struct EnduranceStretch {
 };
 
 /// Drives, and hands over each stretch of `stretch_hours` when it is done, once a solver. All solvers (null:
-/// ours) have a perception of their own, which gets the same measurements; they take turns cycle by cycle, so
-/// that whatever else the machine does falls on all of them.
+/// ours, and what every estimator but the graph must have) have a perception of their own, which gets the
+/// same measurements; they take turns cycle by cycle, so that whatever else the machine does falls on all of
+/// them.
 void drive_endurance(const EnduranceConfig& config, double stretch_hours, const MachineGauges& gauges,
                      std::vector<std::unique_ptr<WindowSolver>> solvers,
                      const std::function<void(const EnduranceStretch&)>& take);

@@ -49,13 +49,6 @@ std::optional<double> number_at(const Json& line, const std::string& pointer) {
   return line.at(where).get<double>();
 }
 
-std::optional<DriveSample> sample_of(const BenchmarkFigure& figure, const Json& line) {
-  const std::optional<double> value = value_of(figure, line);
-  const std::optional<double> weight = figure.weight.empty() ? 1 : number_at(line, figure.weight);
-  if (!value || !weight || !(*weight > 0)) return std::nullopt;
-  return DriveSample{figure.mean == BenchmarkFigure::Mean::root_square ? *value * *value : *value, *weight};
-}
-
 }  // namespace
 
 std::span<const BenchmarkFigure> figures() {
@@ -70,6 +63,13 @@ std::size_t rmse_figure(bool adjacent, std::size_t shown_distance) {
 
 std::optional<double> value_of(const BenchmarkFigure& figure, const Json& line) {
   return number_at(line, figure.value);
+}
+
+std::optional<DriveSample> sample_of(const BenchmarkFigure& figure, const Json& line) {
+  const std::optional<double> value = value_of(figure, line);
+  const std::optional<double> weight = figure.weight.empty() ? 1 : number_at(line, figure.weight);
+  if (!value || !weight || !(*weight > 0)) return std::nullopt;
+  return DriveSample{figure.mean == BenchmarkFigure::Mean::root_square ? *value * *value : *value, *weight};
 }
 
 std::optional<FigureMean> mean_of(const BenchmarkFigure& figure, std::span<const Json* const> lines) {

@@ -50,6 +50,10 @@ enum OtherFigure : std::size_t {
 /// What a line says of a figure, as is; nothing where it is null or not there.
 std::optional<double> value_of(const BenchmarkFigure& figure, const nlohmann::ordered_json& line);
 
+/// The same as mean_of() takes it: squared where the mean is of squares. Nothing, too, where no deviation is
+/// behind it.
+std::optional<DriveSample> sample_of(const BenchmarkFigure& figure, const nlohmann::ordered_json& line);
+
 /// A figure over drives, with its 95 % confidence interval (nothing from fewer than two drives).
 struct FigureMean {
   double value = 0;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmark/estimator_choice.hpp"
 #include "benchmark/scene.hpp"
 #include "benchmark/variant.hpp"
 #include "core/error.hpp"
@@ -72,6 +73,16 @@ std::vector<std::string> variants_of(const SuiteChoice& choice, const Suite& sui
   return names;
 }
 
+/// Those that are asked for, each once.
+std::vector<std::string> estimators_of(const SuiteChoice& choice) {
+  std::vector<std::string> estimators;
+  for (const std::string& name : choice.estimators) {
+    demand_one_of("--estimator", name, estimator_names());
+    if (std::find(estimators.begin(), estimators.end(), name) == estimators.end()) estimators.push_back(name);
+  }
+  return estimators;
+}
+
 void demand_seed(bool holds, const std::string& text) {
   if (!holds) {
     throw configuration_error("--seeds", fmt::format("'{}' is no list of seeds", text),
@@ -95,7 +106,7 @@ std::vector<std::string> suite_names() {
 }
 
 std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
-  demand_one_of("--estimator", choice.estimator, {"graph"});
+  const std::vector<std::string> estimators = estimators_of(choice);
   demand_one_of("--truth", choice.truth, {"exact", "surveyed"});
   const Suite& suite = find_suite(choice.suite);
   const auto scenes = scenes_of(choice, suite);
@@ -105,7 +116,8 @@ std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
   for (const std::uint64_t seed : choice.seeds) {
     for (const BenchmarkScene& scene : scenes) {
       for (const std::string& variant : variants) {
-        drives.push_back({scene.name, scene.road, seed, km, variant, choice.estimator, choice.truth});
+        for (const std::string& estimator : estimators)
+          drives.push_back({scene.name, scene.road, seed, km, variant, estimator, choice.truth});
       }
     }
   }

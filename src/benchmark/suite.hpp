@@ -20,8 +20,8 @@ struct SuiteChoice {
   double noise = 1;                    ///< sensors err so many times as much as they say
   bool detections = false;             ///< each drive once more, on raw detections
   std::vector<std::uint64_t> seeds{1};
-  std::optional<double> km;  ///< of each drive
-  std::string estimator = "graph";
+  std::optional<double> km;                      ///< of each drive
+  std::vector<std::string> estimators{"graph"};  ///< each drive once with each
   std::string truth = "exact";
 };
 

@@ -105,7 +105,11 @@ std::vector<DriveGroup> group_drives(std::span<const ResultLine> lines, GroupBy 
 std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by) {
   const std::vector<DriveGroup> groups = group_drives(lines, by);
   std::vector<Summary> summaries;
-  for (const auto& [name, members] : groups) summaries.push_back(summary_of(name, members));
+  const EstimatorRatios ratios(lines);
+  for (const auto& [name, members] : groups) {
+    summaries.push_back(summary_of(name, members));
+    summaries.back().ratios = ratios.of(members);
+  }
   return summaries;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/estimator_ratio.hpp"
 #include "benchmark/figure.hpp"
 #include "benchmark/result_line.hpp"
 
@@ -36,6 +37,7 @@ struct Summary {
   double noise = 1;  ///< sensors err so many times as much as they say
   std::size_t drives = 0;
   std::vector<std::optional<FigureMean>> means;  ///< of figures(), in their order
+  std::vector<EstimatorRatio> ratios = {};       ///< where other estimators have driven the same
 };
 
 /// Rows in the order in which their first line comes. Throws an input Error where drives come from different

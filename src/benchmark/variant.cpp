@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmark/estimator_choice.hpp"
 #include "core/error.hpp"
 
 namespace lanefuse {
@@ -54,10 +55,18 @@ const Variant& find_variant(std::string_view name) {
   return *found;
 }
 
-PerceptionConfig configure(const Variant& variant, std::span<const std::string> assignments) {
+PerceptionConfig configure(const Variant& variant, std::string_view estimator,
+                           std::span<const std::string> assignments) {
   PerceptionConfig config = default_config(WitnessRule::radar_and_camera);
+  choose_estimator(config, estimator);
+  const EstimatorKind chosen = config.estimator;
   if (!variant.setting.empty()) set_key(config, std::string(variant.setting));
   for (const std::string& assignment : assignments) set_key(config, assignment);
+  if (config.estimator != chosen) {
+    throw configuration_error(fmt::format("--set estimator={}", to_string(config.estimator)),
+                              fmt::format("the drives are to be fused by {}", estimator),
+                              "choose with --estimator");
+  }
   return config;
 }
 

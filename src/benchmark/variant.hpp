@@ -30,7 +30,10 @@ std::vector<std::string> variant_names();
 /// Throws a configuration Error that lists the names there are.
 const Variant& find_variant(std::string_view name);
 
-/// The pipeline's defaults, then the variant's setting, then `assignments` ("key=value").
-PerceptionConfig configure(const Variant& variant, std::span<const std::string> assignments);
+/// The pipeline's defaults with an estimator (see choose_estimator()), then the variant's setting, then
+/// `assignments` ("key=value"). Throws a configuration Error where an assignment sets another estimator: the
+/// line of results would name the wrong one.
+PerceptionConfig configure(const Variant& variant, std::string_view estimator,
+                           std::span<const std::string> assignments);
 
 }  // namespace lanefuse

@@ -27,6 +27,10 @@ void add_run(CommandLine& line) {
   CLI::Option* output = command.add_option("-o,--output", options.output, "the lanes to write (.mcap)");
   command.add_option("--config", options.config, "YAML with settings that differ from the defaults");
   command
+      .add_option("--estimator", options.estimator,
+                  "what fuses, over file and --set: graph, the paper's, or road, the road-level one")
+      ->check(CLI::IsMember({"graph", "road"}));
+  command
       .add_option("--solver", options.solver,
                   "another solver for the graph, for comparison: direct, ceres, ceres:SETTING")
       ->capture_default_str();

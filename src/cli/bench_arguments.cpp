@@ -27,6 +27,9 @@ void add_endurance(CLI::App& bench, CommandLine& line) {
       ->check(CLI::Range(0.05, 1440.0));
   command.add_option("--seed", options.seed, "of the drive")->capture_default_str();
   command.add_option("--scenario", options.scenario, "as in simulate")->capture_default_str();
+  command.add_option("--estimator", options.estimator, "what fuses: graph or road")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"graph", "road"}));
   command
       .add_option("--beside", options.beside,
                   "another solver that gets the same drive: direct, ceres, ceres:SETTING; may be repeated")

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "benchmark/estimator_choice.hpp"
 #include "benchmark/scene.hpp"
 #include "benchmark/suite.hpp"
 #include "benchmark/variant.hpp"
@@ -41,7 +42,11 @@ void add_drives(CLI::App& command, BenchmarkOptions& options) {
   command.add_flag("--detections", choice.detections,
                    "drive each once more with raw detections in place of the object list, as the variant "
                    "'detections'");
-  command.add_option("--estimator", choice.estimator, "what fuses: graph")->capture_default_str();
+  command
+      .add_option("--estimator", choice.estimators,
+                  listed("what fuses, or several as in graph,road", estimator_names()))
+      ->delimiter(',')
+      ->capture_default_str();
   command.add_option("--truth", choice.truth, "exact, or surveyed with the errors of the paper's own map")
       ->capture_default_str();
   command
@@ -83,6 +88,8 @@ void add_compare(CLI::App& benchmark, CommandLine& line) {
   command.add_option("B", options.b, "results after (.jsonl)")->required();
   command.add_option("--variant-a", options.variant_a, "only the drives of this variant in A");
   command.add_option("--variant-b", options.variant_b, "only the drives of this variant in B");
+  command.add_option("--estimator-a", options.estimator_a, "only the drives of this estimator in A");
+  command.add_option("--estimator-b", options.estimator_b, "only the drives of this estimator in B");
   finish(command, line, options, compare_results);
 }
 

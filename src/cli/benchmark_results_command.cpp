@@ -36,12 +36,16 @@ std::vector<ResultLine> read_merged(const std::vector<std::filesystem::path>& pa
 }
 
 std::vector<ResultLine> read_side(const std::filesystem::path& path,
-                                  const std::optional<std::string>& variant) {
+                                  const std::optional<std::string>& variant,
+                                  const std::optional<std::string>& estimator) {
   std::vector<ResultLine> lines = read_merged({path});
   if (variant) std::erase_if(lines, [&](const ResultLine& line) { return line.key.variant != *variant; });
+  if (estimator)
+    std::erase_if(lines, [&](const ResultLine& line) { return line.key.estimator != *estimator; });
   if (lines.empty()) {
-    throw configuration_error(
-        path.string(), variant ? fmt::format("holds no drive of variant '{}'", *variant) : "holds no drive");
+    throw configuration_error(path.string(),
+                              fmt::format("holds no drive{}{}", variant ? " of variant " + *variant : "",
+                                          estimator ? " of estimator " + *estimator : ""));
   }
   return lines;
 }
@@ -102,8 +106,8 @@ int show_coverage(const ResultsTableOptions& options) {
 }
 
 int compare_results(const CompareResultsOptions& options) {
-  const auto a = read_side(options.a, options.variant_a);
-  const auto b = read_side(options.b, options.variant_b);
+  const auto a = read_side(options.a, options.variant_a, options.estimator_a);
+  const auto b = read_side(options.b, options.variant_b, options.estimator_b);
   const Comparison comparison = compare(a, b);
   if (options.json) {
     fmt::print("{}\n", to_json(comparison).dump());

@@ -35,6 +35,8 @@ struct CompareResultsOptions {
   std::filesystem::path b;
   std::optional<std::string> variant_a;  ///< only the drives of this variant
   std::optional<std::string> variant_b;
+  std::optional<std::string> estimator_a;  ///< only the drives of this estimator
+  std::optional<std::string> estimator_b;
   bool json = false;
   bool force = false;
 };

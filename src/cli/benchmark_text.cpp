@@ -28,11 +28,26 @@ std::string cell(const std::optional<FigureMean>& mean, int digits, double facto
                      factor * (*mean->high - *mean->low) / 2, digits);
 }
 
-Row rmse_row(const Summary& summary, bool adjacent) {
-  Row row{adjacent ? "" : summary.name, adjacent ? "adjacent" : "ego"};
+/// Of rows that differ in their estimator alone, each says which it is.
+std::string row_name(const std::vector<Summary>& summaries, const Summary& summary) {
+  const bool one = std::all_of(summaries.begin(), summaries.end(),
+                               [&](const Summary& other) { return other.estimator == summary.estimator; });
+  return one ? summary.name : fmt::format("{}, {}", summary.name, summary.estimator);
+}
+
+Row rmse_row(const std::string& name, const Summary& summary, bool adjacent) {
+  Row row{adjacent ? "" : name, adjacent ? "adjacent" : "ego"};
   for (std::size_t i = 0; i < kShownDistances; ++i)
     row.push_back(cell(summary.means[rmse_figure(adjacent, i)], 3));
   row.push_back(cell(summary.means[adjacent ? kAdjacentReaches : kEgoReaches], 1, 100));
+  return row;
+}
+
+Row ratio_row(const EstimatorRatio& ratio, bool adjacent) {
+  Row row{"", fmt::format("{} x {}", adjacent ? "adjacent" : "ego", ratio.to)};
+  for (std::size_t i = 0; i < kShownDistances; ++i)
+    row.push_back(cell(ratio.rmse[rmse_figure(adjacent, i)], 2));
+  row.emplace_back("-");
   return row;
 }
 
@@ -48,7 +63,11 @@ std::string rmse_table(const std::vector<Summary>& summaries, bool markdown) {
   std::vector<Row> rows{{"drives", "lane", "0", "20", "40", "60", "80", "100", "120 m", "reaches 60 m [%]"}};
   bool nominal = false;
   for (const Summary& summary : summaries) {
-    for (const bool adjacent : {false, true}) rows.push_back(rmse_row(summary, adjacent));
+    for (const bool adjacent : {false, true})
+      rows.push_back(rmse_row(row_name(summaries, summary), summary, adjacent));
+    for (const EstimatorRatio& ratio : summary.ratios) {
+      for (const bool adjacent : {false, true}) rows.push_back(ratio_row(ratio, adjacent));
+    }
     nominal = nominal || summary.nominal;
   }
   if (nominal) {
@@ -70,11 +89,33 @@ std::string other_table(const std::vector<Summary>& summaries, bool markdown) {
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
+void put(const char* key, const std::optional<FigureMean>& mean, Json& entry) {
+  entry[key] = mean ? Json(mean->value) : Json();
+  entry["low"] = number(mean ? mean->low : std::nullopt);
+  entry["high"] = number(mean ? mean->high : std::nullopt);
+  entry["drives"] = mean ? mean->drives : 0;
+}
+
+Json ratios_json(const std::vector<EstimatorRatio>& ratios) {
+  Json list = Json::array();
+  for (const EstimatorRatio& ratio : ratios) {
+    Json entries = Json::array();
+    for (std::size_t i = 0; i < ratio.rmse.size(); ++i) {
+      put("ratio", ratio.rmse[i], entries.emplace_back(Json{{"figure", figures()[i].name}}));
+    }
+    list.push_back({{"to", ratio.to}, {"drives", ratio.drives}, {"figures", std::move(entries)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string to_text(const std::vector<Summary>& summaries, bool markdown) {
+  const bool ratios = std::any_of(summaries.begin(), summaries.end(),
+                                  [](const Summary& summary) { return !summary.ratios.empty(); });
   return fmt::format(
-      "RMSE [m] by distance ahead, ± half of the 95 % confidence interval over drives\n\n{}\n{}",
+      "RMSE [m] by distance ahead, ± half of the 95 % confidence interval over drives{}\n\n{}\n{}",
+      ratios ? "; x: times the RMSE of that estimator on the same drives" : "",
       rmse_table(summaries, markdown), other_table(summaries, markdown));
 }
 
@@ -85,15 +126,12 @@ Json to_json(const std::vector<Summary>& summaries) {
              {"km", summary.km},     {"noise", summary.noise},         {"drives", summary.drives}};
     Json& means = row["figures"] = Json::array();
     for (std::size_t i = 0; i < summary.means.size(); ++i) {
-      const auto& mean = summary.means[i];
       Json entry{{"figure", figures()[i].name}, {"unit", figures()[i].unit}};
-      entry["mean"] = mean ? Json(mean->value) : Json();
-      entry["low"] = number(mean ? mean->low : std::nullopt);
-      entry["high"] = number(mean ? mean->high : std::nullopt);
-      entry["drives"] = mean ? mean->drives : 0;
+      put("mean", summary.means[i], entry);
       if (summary.nominal && i < 2 * kShownDistances) entry["paper"] = paper_rmse(i);
       means.push_back(std::move(entry));
     }
+    if (!summary.ratios.empty()) row["ratios"] = ratios_json(summary.ratios);
     list.push_back(std::move(row));
   }
   return list;

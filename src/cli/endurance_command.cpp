@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/endurance.hpp"
+#include "core/error.hpp"
 #include "graph/window_solver.hpp"
 #include "peers/named_solver.hpp"
 
@@ -40,8 +41,9 @@ double resident_mb() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024 * 1024);
 }
 
-Json to_json(const EnduranceStretch& s, const std::string& solver) {
+Json to_json(const EnduranceStretch& s, const std::string& estimator, const std::string& solver) {
   return {
+      {"estimator", estimator},
       {"solver", solver},
       {"hours", s.end_hours},
       {"cycles", s.cycles},
@@ -64,6 +66,12 @@ void print_row(const EnduranceStretch& s, const std::string& solver) {
 
 int bench_endurance(const EnduranceOptions& options) {
   EnduranceConfig config;
+  config.estimator = options.estimator == "road" ? EstimatorKind::road : EstimatorKind::graph;
+  if (config.estimator != EstimatorKind::graph && !options.beside.empty()) {
+    throw configuration_error("--beside",
+                              fmt::format("estimator {} has no graph to solve", options.estimator),
+                              "leave it out, or choose --estimator graph");
+  }
   config.seed = options.seed;
   config.hours = options.hours;
   config.cycle_hz = options.cycle_hz;
@@ -75,7 +83,7 @@ int bench_endurance(const EnduranceOptions& options) {
                "cycles", "not OK", "p50 ms", "p99", "max", "cpu p99", "max", "MB", "poses", "features",
                "edges");
   }
-  std::vector<std::string> names{"lanefuse"};
+  std::vector<std::string> names{config.estimator == EstimatorKind::graph ? "lanefuse" : options.estimator};
   std::vector<std::unique_ptr<WindowSolver>> solvers(1);
   for (const std::string& name : options.beside) {
     names.push_back(name);
@@ -83,7 +91,7 @@ int bench_endurance(const EnduranceOptions& options) {
   }
   drive_endurance(config, options.report_minutes / 60, {wall_ms, cpu_ms, resident_mb}, std::move(solvers),
                   [&](const EnduranceStretch& stretch) {
-                    rows.push_back(to_json(stretch, names[stretch.solver]));
+                    rows.push_back(to_json(stretch, options.estimator, names[stretch.solver]));
                     if (!options.json) print_row(stretch, names[stretch.solver]);
                   });
   if (options.json) fmt::print("{}\n", Json{{"stretches", rows}}.dump());

@@ -16,6 +16,7 @@ struct EnduranceOptions {
   std::uint64_t seed = 1;
   std::string scenario = "nominal";
   std::vector<std::string> beside;  ///< other solvers of the graph that get the same drive: see make_solver()
+  std::string estimator = "graph";
   bool detections = false;
   bool json = false;
   bool force = false;

@@ -80,6 +80,7 @@ int evaluate(const EvaluateOptions& options) {
   EvaluationResult& result = judged.result;
   result.drive = lanes.drive();
   result.drive.witness = lanes.run().witness;
+  result.estimator = lanes.run().estimator;
 
   if (report_file) {
     write_text(*report_file, write_report(make_report(judged, context)));

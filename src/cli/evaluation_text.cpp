@@ -30,7 +30,9 @@ std::string heading(const EvaluationResult& result) {
   std::string truth = result.truth;
   if (!result.map.empty()) truth += fmt::format(" {}", result.map);
   if (result.surveyed) truth += fmt::format(" (seed {})", result.surveyed->seed);
-  return fmt::format("{}, truth: {}, witness: {}\n", result.drive.name, truth,
+  const std::string estimator =
+      result.estimator.empty() ? "" : fmt::format(", estimator: {}", result.estimator);
+  return fmt::format("{}, truth: {}{}, witness: {}\n", result.drive.name, truth, estimator,
                      to_string(result.drive.witness));
 }
 

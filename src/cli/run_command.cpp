@@ -95,7 +95,27 @@ PerceptionConfig configure(const RunOptions& options, WitnessRule recorded) {
   PerceptionConfig config = default_config(recorded);
   if (options.config) config = load_config(*options.config, config);
   for (const std::string& assignment : options.assignments) set_key(config, assignment);
+  if (options.estimator) set_key(config, fmt::format("estimator={}", *options.estimator));
   return config;
+}
+
+/// What looks into the graph, or solves it, is refused where there is none.
+void demand_graph(const RunOptions& options, const PerceptionConfig& config) {
+  if (config.estimator == EstimatorKind::graph) return;
+  const char* given = options.graph_folder ? "--dump-graphs" : "--solver";
+  if (!options.graph_folder && options.solver == "lanefuse") return;
+  throw configuration_error(given, fmt::format("estimator {} has no graph", to_string(config.estimator)),
+                            "leave it out, or choose --estimator graph");
+}
+
+/// Lets the paper's estimator be solved by another solver, and its windows be kept.
+void set_up_graph(const RunOptions& options, LaneEstimator& estimator, std::optional<WindowDump>& windows) {
+  auto* graph = dynamic_cast<GraphEstimator*>(&estimator);
+  if (!graph) return;
+  if (options.solver != "lanefuse") graph->use_solver(make_window_solver(make_solver(options.solver)));
+  if (!options.graph_folder) return;
+  windows.emplace(*options.graph_folder, options.force);
+  graph->on_window([&windows](const WindowGraph& window) { windows->write(window); });
 }
 
 void print_json(const RunTotals& totals, const Stopwatch& watch, const PerceptionConfig& config) {
@@ -104,22 +124,24 @@ void print_json(const RunTotals& totals, const Stopwatch& watch, const Perceptio
     stages[to_string(static_cast<Stage>(s))] = {
         {"p50", percentile(watch.stage(static_cast<Stage>(s)), 0.5)},
         {"p99", percentile(watch.stage(static_cast<Stage>(s)), 0.99)}};
-  nlohmann::ordered_json json{
-      {"cycles", totals.cycles},
-      {"duration_s", totals.duration()},
-      {"cycle_ms",
-       {{"p50", percentile(watch.cycles(), 0.5)},
-        {"p99", percentile(watch.cycles(), 0.99)},
-        {"max", percentile(watch.cycles(), 1)}}},
-      {"stage_ms", stages},
-      {"inputs",
-       {{"used", totals.inputs.used},
-        {"rejected", totals.inputs.rejected},
-        {"dropped", totals.inputs.dropped}}},
-      {"graph",
-       {{"poses", totals.graph.poses}, {"features", totals.graph.features}, {"edges", totals.graph.edges}}},
-      {"witness", to_string(config.sources.objects.witness.rule)},
-      {"configuration_hash", fingerprint(config)}};
+  nlohmann::ordered_json json{{"cycles", totals.cycles},
+                              {"duration_s", totals.duration()},
+                              {"cycle_ms",
+                               {{"p50", percentile(watch.cycles(), 0.5)},
+                                {"p99", percentile(watch.cycles(), 0.99)},
+                                {"max", percentile(watch.cycles(), 1)}}},
+                              {"stage_ms", stages},
+                              {"inputs",
+                               {{"used", totals.inputs.used},
+                                {"rejected", totals.inputs.rejected},
+                                {"dropped", totals.inputs.dropped}}},
+                              {"estimator", to_string(config.estimator)},
+                              {"witness", to_string(config.sources.objects.witness.rule)},
+                              {"configuration_hash", fingerprint(config)}};
+  if (config.estimator == EstimatorKind::graph) {
+    json["graph"] = {
+        {"poses", totals.graph.poses}, {"features", totals.graph.features}, {"edges", totals.graph.edges}};
+  }
   if (totals.images.seen > 0) {
     json["images"] = {{"seen", totals.images.seen}, {"faults", totals.images.faults}};
   }
@@ -133,13 +155,19 @@ void print_images(const ImageTotals& images) {
   fmt::print("\n");
 }
 
-void print_text(const RunTotals& totals, const Stopwatch& watch, const RunOptions& options) {
-  fmt::print("{} cycles over {:.1f} s -> {}\n", totals.cycles, totals.duration(), options.output.string());
+void print_text(const RunTotals& totals, const Stopwatch& watch, const PerceptionConfig& config,
+                const RunOptions& options) {
+  fmt::print("{} cycles over {:.1f} s by estimator {} -> {}\n", totals.cycles, totals.duration(),
+             to_string(config.estimator), options.output.string());
   fmt::print("cycle p50 {:.2f} ms, p99 {:.2f} ms, max {:.2f} ms\n", percentile(watch.cycles(), 0.5),
              percentile(watch.cycles(), 0.99), percentile(watch.cycles(), 1));
-  fmt::print("inputs: {} used, {} rejected, {} dropped; largest graph: {} poses, {} features, {} edges\n",
-             totals.inputs.used, totals.inputs.rejected, totals.inputs.dropped, totals.graph.poses,
-             totals.graph.features, totals.graph.edges);
+  fmt::print("inputs: {} used, {} rejected, {} dropped", totals.inputs.used, totals.inputs.rejected,
+             totals.inputs.dropped);
+  if (config.estimator == EstimatorKind::graph) {
+    fmt::print("; largest graph: {} poses, {} features, {} edges", totals.graph.poses, totals.graph.features,
+               totals.graph.edges);
+  }
+  fmt::print("\n");
   print_images(totals.images);
 }
 
@@ -184,20 +212,17 @@ int run(const RunOptions& options) {
   check_output(sidecar_of(options.output), options.force, options.drive);
   DriveReader reader(options.drive);
   const PerceptionConfig config = configure(options, reader.info().witness);
+  demand_graph(options, config);
   const WitnessRule witness = config.sources.objects.witness.rule;
   if (witness != WitnessRule::radar_and_camera) {
     fmt::print(stderr, "witness: {}, vehicles count without a camera's word\n", to_string(witness));
   }
 
   MultiLanePerception perception(config, reader.rig());
-  auto& estimator = dynamic_cast<GraphEstimator&>(perception.estimator());  // the only one there is
-  if (options.solver != "lanefuse") estimator.use_solver(make_window_solver(make_solver(options.solver)));
   std::optional<WindowDump> windows;
-  if (options.graph_folder) {
-    windows.emplace(*options.graph_folder, options.force);
-    estimator.on_window([&windows](const WindowGraph& window) { windows->write(window); });
-  }
-  LanesWriter writer(options.output, reader.info(), {witness, "graph", fingerprint(config)});
+  set_up_graph(options, perception.estimator(), windows);
+  LanesWriter writer(options.output, reader.info(),
+                     {witness, to_string(config.estimator), fingerprint(config)});
   Stopwatch watch;
   RunTotals totals;
   perception.on_stage([&watch](Stage stage) { watch.end_stage(stage); });
@@ -217,13 +242,14 @@ int run(const RunOptions& options) {
     throw input_error(options.drive.string(), "holds less than one cycle of motion", "nothing was written");
   }
   writer.close();
-  write_sidecar(options.output,
-                {options.drive, {totals.duration(), totals.inputs, totals.graph, watch.cycles()}});
+  RunFigures figures{totals.duration(), totals.inputs, {}, watch.cycles()};
+  if (config.estimator == EstimatorKind::graph) figures.largest_graph = totals.graph;
+  write_sidecar(options.output, {options.drive, figures});
 
   if (options.json) {
     print_json(totals, watch, config);
   } else {
-    print_text(totals, watch, options);
+    print_text(totals, watch, config, options);
   }
   const ReadReport report = reader.report();
   if (!report.complete()) report_damage(options, report);

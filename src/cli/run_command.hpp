@@ -14,6 +14,7 @@ struct RunOptions {
   std::filesystem::path drive;
   std::filesystem::path output;
   std::optional<std::filesystem::path> config;
+  std::optional<std::string> estimator;  ///< "graph" or "road", over the configuration
   std::optional<std::filesystem::path>
       graph_folder;                      ///< where each cycle's graph goes, as numbered .g2o files
   std::string solver = "lanefuse";       ///< of the graph, for comparison: see make_solver()

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "camera/ground_projection.hpp"
+#include "core/boundary_curve.hpp"
 #include "drawing/overlay_colours.hpp"
 
 namespace lanefuse {
@@ -37,13 +38,13 @@ class PanelView {
     const std::optional<Eigen::Vector2d> pixel = ground_.pixel({x, y});
     return pixel ? at(pixel->x(), pixel->y()) : Pixel(kNowhere, kNowhere);
   }
-  [[nodiscard]] std::vector<Pixel> curve(const Clothoid& clothoid, double from, double to) const {
+  [[nodiscard]] std::vector<Pixel> curve(const Boundary& boundary, double from, double to) const {
     std::vector<Pixel> pixels;
     from = std::max(from, ground_.pose().mounting.x + kNearestAhead);
     for (double x = from; x < to; x += std::clamp((x - from) / 10, 0.25, 2.0)) {
-      pixels.push_back(on_road(x, clothoid.y(x)));
+      pixels.push_back(on_road(x, curve_at(boundary, x)));
     }
-    if (from < to) pixels.push_back(on_road(to, clothoid.y(to)));
+    if (from < to) pixels.push_back(on_road(to, curve_at(boundary, to)));
     return pixels;
   }
 
@@ -74,8 +75,8 @@ std::optional<EgoBoundaries> ego_boundaries(const LaneEstimate& estimate) {
 void draw_ego_lane(Canvas& canvas, const PanelView& view, const LaneEstimate& estimate) {
   const std::optional<EgoBoundaries> ego = ego_boundaries(estimate);
   if (!ego) return;
-  std::vector<Pixel> outline = view.curve(ego->left->clothoid, ego->from, ego->to);
-  const std::vector<Pixel> back = view.curve(ego->right->clothoid, ego->from, ego->to);
+  std::vector<Pixel> outline = view.curve(*ego->left, ego->from, ego->to);
+  const std::vector<Pixel> back = view.curve(*ego->right, ego->from, ego->to);
   outline.insert(outline.end(), back.rbegin(), back.rend());
   canvas.fill(outline, kBoundary, 0.16);
 }
@@ -87,8 +88,8 @@ void draw_distances(Canvas& canvas, const PanelView& view, const LaneEstimate& e
   double last_label = std::numeric_limits<double>::infinity();  // [px] row
   for (const double x : {10.0, 20.0, 50.0, 100.0}) {
     if (x < ego->from || x > ego->to) continue;
-    const Pixel left = view.on_road(x, ego->left->clothoid.y(x));
-    const Pixel right = view.on_road(x, ego->right->clothoid.y(x));
+    const Pixel left = view.on_road(x, curve_at(*ego->left, x));
+    const Pixel right = view.on_road(x, curve_at(*ego->right, x));
     canvas.line(left, right, {kBoundary, 1});
     if (!(left.y() < last_label - 10)) continue;  // no room
     canvas.text(left - Pixel(8, -3), fmt::format("{:.0f} m", x), kText, 8, Anchor::end);
@@ -114,8 +115,7 @@ void draw_line(Canvas& canvas, const PanelView& view, const std::vector<Eigen::V
 
 void draw_boundaries(Canvas& canvas, const PanelView& view, const TopView& road) {
   for (const Boundary& boundary : road.estimate.boundaries) {
-    canvas.polyline(view.curve(boundary.clothoid, boundary.range_begin, boundary.range_end),
-                    {kBoundary, 2, 0, true});
+    canvas.polyline(view.curve(boundary, boundary.range_begin, boundary.range_end), {kBoundary, 2, 0, true});
   }
   const Pen truth{kTruth, 2, 9};
   for (const auto& line : road.true_boundaries) draw_line(canvas, view, line, truth);

@@ -8,7 +8,8 @@
 namespace lanefuse {
 
 /// The estimate as it is `seconds` later (below zero: earlier): the road stands, the car has moved on with
-/// the estimate's own speed and yaw rate. Covariances stay as they are: the time is short.
+/// the estimate's own speed and yaw rate. Points move
+/// with it, and are taken again every kPointSpacing. Covariances stay as they are: the time is short.
 LaneEstimate moved_by(const LaneEstimate& estimate, double seconds);
 
 /// Fused features, switches and road course, seen from a frame that has moved by `old_from_new`.

@@ -76,6 +76,8 @@ std::string report_header(const Report& report) {
         fmt::format(" (exact, with errors of {:.2f} m ego, {:.2f} m adjacent, {:.2f}&#176;; seed {})",
                     survey->ego, survey->adjacent, survey->heading * 180 / std::numbers::pi, survey->seed);
   }
+  const std::string& estimator = report.evaluation.estimator;
+  if (!estimator.empty()) html += "; estimator: " + escape_xml(estimator);
   if (!drive.preset_hash.empty()) html += "; sensor preset " + escape_xml(drive.preset_hash);
   return html + "</p>\n" + witness_line(drive.witness) + "<p class=\"verdict\">" +
          escape_xml(verdict(report.evaluation)) + "</p>\n";

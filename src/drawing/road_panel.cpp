@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary_curve.hpp"
 #include "drawing/overlay_colours.hpp"
 
 namespace lanefuse {
@@ -65,10 +66,10 @@ void draw_grid(Canvas& canvas, const RoadAxes& axes, const OverlayConfig& config
   canvas.text({frame.left - 6, frame.bottom() - 1}, "right", kMuted, 8, Anchor::end);
 }
 
-std::vector<Pixel> curve(const RoadAxes& axes, const Clothoid& clothoid, double from, double to) {
+std::vector<Pixel> curve(const RoadAxes& axes, const Boundary& boundary, double from, double to) {
   std::vector<Pixel> pixels;
-  for (double x = from; x < to; x += kPointSpacing) pixels.push_back(axes.at(x, clothoid.y(x)));
-  if (from < to) pixels.push_back(axes.at(to, clothoid.y(to)));
+  for (double x = from; x < to; x += kPointSpacing) pixels.push_back(axes.at(x, curve_at(boundary, x)));
+  if (from < to) pixels.push_back(axes.at(to, curve_at(boundary, to)));
   return pixels;
 }
 
@@ -85,7 +86,7 @@ void draw_band(Canvas& canvas, const RoadAxes& axes, const Boundary& boundary) {
 void draw_boundaries(Canvas& canvas, const RoadAxes& axes, const TopView& road) {
   for (const Boundary& boundary : road.estimate.boundaries) {
     draw_band(canvas, axes, boundary);
-    canvas.polyline(curve(axes, boundary.clothoid, boundary.range_begin, boundary.range_end), {kBoundary, 2});
+    canvas.polyline(curve(axes, boundary, boundary.range_begin, boundary.range_end), {kBoundary, 2});
   }
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary_curve.hpp"
+
 namespace lanefuse {
 namespace {
 
@@ -19,11 +21,17 @@ constexpr double kSwitchedOff = 0.5;  // below this a smoothing edge is off
 
 bool is_off(const SwitchState& edge) { return edge.value < kSwitchedOff; }
 
-std::vector<Pixel> curve(const Axes& axes, const Clothoid& clothoid, double from, double to) {
+/// Where `y_at(x)` runs.
+template <typename Line>
+std::vector<Pixel> curve(const Axes& axes, double from, double to, Line y_at) {
   std::vector<Pixel> pixels;
-  for (double x = from; x < to; x += kPointSpacing) pixels.push_back(axes.at(x, clothoid.y(x)));
-  if (to > from) pixels.push_back(axes.at(to, clothoid.y(to)));
+  for (double x = from; x < to; x += kPointSpacing) pixels.push_back(axes.at(x, y_at(x)));
+  if (to > from) pixels.push_back(axes.at(to, y_at(to)));
   return pixels;
+}
+
+std::vector<Pixel> curve(const Axes& axes, const Boundary& boundary, double from, double to) {
+  return curve(axes, from, to, [&boundary](double x) { return curve_at(boundary, x); });
 }
 
 std::vector<Pixel> pixels_of(const Axes& axes, const std::vector<Eigen::Vector2d>& points) {
@@ -49,8 +57,8 @@ void draw_ego_wash(SvgWriter& svg, const Axes& axes, const LaneEstimate& estimat
   const Boundary& right = *find_boundary(estimate, lane->right_boundary);
   const double from = std::max(left.range_begin, right.range_begin);
   const double to = std::min(left.range_end, right.range_end);
-  std::vector<Pixel> outline = curve(axes, left.clothoid, from, to);
-  const std::vector<Pixel> back = curve(axes, right.clothoid, from, to);
+  std::vector<Pixel> outline = curve(axes, left, from, to);
+  const std::vector<Pixel> back = curve(axes, right, from, to);
   outline.insert(outline.end(), back.rbegin(), back.rend());
   svg.polygon(outline, "ink-boundary wash");
 }
@@ -110,11 +118,9 @@ void draw_lanes(SvgWriter& svg, const Axes& axes, const LaneEstimate& estimate) 
   draw_ego_wash(svg, axes, estimate);
   for (const Boundary& boundary : estimate.boundaries) {
     draw_band(svg, axes, boundary);
-    svg.polyline(curve(axes, boundary.clothoid, kViewFrom, boundary.range_begin),
-                 "pen-boundary thin dotted faint");
-    svg.polyline(curve(axes, boundary.clothoid, boundary.range_end, kViewTo),
-                 "pen-boundary thin dotted faint");
-    svg.polyline(curve(axes, boundary.clothoid, boundary.range_begin, std::min(boundary.range_end, kViewTo)),
+    svg.polyline(curve(axes, boundary, kViewFrom, boundary.range_begin), "pen-boundary thin dotted faint");
+    svg.polyline(curve(axes, boundary, boundary.range_end, kViewTo), "pen-boundary thin dotted faint");
+    svg.polyline(curve(axes, boundary, boundary.range_begin, std::min(boundary.range_end, kViewTo)),
                  "pen-boundary thick");
   }
 }
@@ -132,7 +138,9 @@ void draw_switches(SvgWriter& svg, const Axes& axes, const DebugView& debug) {
 }
 
 void draw_base_clothoid(SvgWriter& svg, const Axes& axes, const DebugView& debug) {
-  if (debug.base_clothoid) svg.polyline(curve(axes, *debug.base_clothoid, 0, kViewTo), "pen-base thick");
+  if (!debug.base_clothoid) return;
+  const auto base = curve(axes, 0, kViewTo, [&debug](double x) { return debug.base_clothoid->y(x); });
+  svg.polyline(base, "pen-base thick");
 }
 
 void draw_features(SvgWriter& svg, const Axes& axes, const DebugView& debug) {

@@ -122,6 +122,7 @@ Json to_json(const EvaluationResult& result) {
             {"cycles_ok", result.cycles_ok},
             {"cycles_with_truth", result.cycles_with_truth},
             {"lanes", lanes(result.lanes)}};
+  if (!result.estimator.empty()) json["estimator"] = result.estimator;
   if (!result.map.empty()) json["map"] = result.map;
   if (result.baselines) {
     add_path_figures(json, result, *result.baselines);

@@ -79,9 +79,10 @@ struct SerialCameraStatistics {
 
 /// All that the evaluation of one drive says.
 struct EvaluationResult {
-  std::string truth;  ///< "exact", "surveyed", "map" or "ego-path"
-  std::string map;    ///< file name of the map that is the truth; empty: it is none
-  DriveInfo drive;    ///< filled by whoever knows the drive
+  std::string truth;      ///< "exact", "surveyed", "map" or "ego-path"
+  std::string map;        ///< file name of the map that is the truth; empty: it is none
+  DriveInfo drive;        ///< filled by whoever knows the drive
+  std::string estimator;  ///< that the lanes are of, by the same; empty where nobody knows
   LaneStatistics lanes;
   std::uint64_t cycles = 0;
   std::uint64_t cycles_ok = 0;          ///< with status OK

@@ -6,64 +6,15 @@
 #include <iterator>
 #include <utility>
 
+#include "core/lane_description.hpp"
 #include "pipeline/graph_estimator.hpp"
+#include "pipeline/measurement_items.hpp"
 #include "road/road_estimator.hpp"
 
 namespace lanefuse {
 namespace {
 
 constexpr Duration kLongestHole = std::chrono::seconds(10);
-
-/// How many things a measurement holds: what the accounting counts.
-struct ItemCount {
-  std::uint64_t operator()(const VehicleMotion&) const { return 1; }
-  std::uint64_t operator()(const SerialLane& lane) const {
-    return (lane.left ? 1 : 0) + (lane.right ? 1 : 0);
-  }
-  std::uint64_t operator()(const MarkingFeatures& markings) const { return markings.features.size(); }
-  std::uint64_t operator()(const RadarScan& scan) const { return scan.detections.size(); }
-  std::uint64_t operator()(const ObjectList& list) const { return list.objects.size(); }
-  std::uint64_t operator()(const GnssInsFix&) const { return 0; }
-  std::uint64_t operator()(const CameraImage&) const { return 1; }
-  std::uint64_t operator()(const CameraBoxes& boxes) const { return boxes.boxes.size(); }
-};
-
-std::uint64_t item_count(const Measurement& measurement) { return std::visit(ItemCount{}, measurement); }
-
-/// What a measurement tells, as a number: messages of one sensor and one stamp are only the same if they tell
-/// the same. A bus gives speed, wheel speeds and yaw rate in messages of their own.
-std::size_t kind_of(const Measurement& measurement) {
-  std::size_t kind = measurement.index() * 8;
-  if (const auto* motion = std::get_if<VehicleMotion>(&measurement)) {
-    kind += (motion->speed ? 1 : 0) + (motion->yaw_rate ? 2 : 0) + (motion->wheel_speeds ? 4 : 0);
-  }
-  return kind;
-}
-
-/// Order of a cycle's measurements, so that it does not matter in which order they came.
-bool measured_before(const Measurement& a, const Measurement& b) {
-  const auto key = [](const Measurement& m) {
-    const Stamp& stamp = stamp_of(m);
-    return std::tuple(stamp.measured_at, kind_of(m), stamp.sensor_id);
-  };
-  return key(a) < key(b);
-}
-
-/// Cuts a list to its bound and says how much went.
-struct Bound {
-  std::size_t objects;
-  std::size_t features;
-  std::uint64_t operator()(RadarScan& scan) const { return cut(scan.detections, objects); }
-  std::uint64_t operator()(ObjectList& list) const { return cut(list.objects, objects); }
-  std::uint64_t operator()(CameraBoxes& boxes) const { return cut(boxes.boxes, objects); }
-  std::uint64_t operator()(MarkingFeatures& markings) const { return cut(markings.features, features); }
-  std::uint64_t operator()(auto&) const { return 0; }
-  static std::uint64_t cut(auto& list, std::size_t bound) {
-    const std::size_t before = list.size();
-    if (before > bound) list.resize(bound);
-    return before - list.size();
-  }
-};
 
 /// Vehicles among the sets of one cycle, each counted once however many sets it is in.
 std::uint32_t count_witnesses(const std::vector<FeatureSet>& sets) {
@@ -119,7 +70,7 @@ void MultiLanePerception::on_stage(LaneEstimator::StageListener listener) {
 void MultiLanePerception::add(Measurement measurement) {
   // Lanes are estimated without knowing where on Earth the car is: not even the cycles' clock may notice.
   if (std::holds_alternative<GnssInsFix>(measurement)) return;
-  inputs_.dropped += std::visit(Bound{config_.max_objects, config_.fusion.max_features}, measurement);
+  inputs_.dropped += cut_to_bounds(measurement, config_.max_objects, config_.fusion.max_features);
   if (implausible(measurement)) {
     inputs_.rejected += item_count(measurement);
     return;
@@ -175,9 +126,14 @@ const LaneEstimate* MultiLanePerception::advance(Time now) {
   if (now - *next_cycle_ > kLongestHole) next_cycle_ = last_cycle_until(now);
   const Time time = std::exchange(*next_cycle_, *next_cycle_ + period_);
   run_sources(time);
-  if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) estimator_->reset();
+  if (std::exchange(restarts_, dead_reckoning_.restarts()) != restarts_) {
+    estimator_->reset();
+    availability_.reset();
+  }
   stage_done_(Stage::sources);
   estimate_ = estimator_->process({time, dead_reckoning_.samples(), feature_sets_});
+  describe_lanes(estimate_);
+  availability_.update(estimate_);
   estimate_.inputs = std::exchange(inputs_, {});
   estimate_.witnesses = count_witnesses(feature_sets_);
   judge_sources(time, estimate_);
@@ -295,6 +251,7 @@ void MultiLanePerception::reset() {
   images_.reset();
   for (const auto& source : sources_) source->reset();
   estimator_->reset();
+  availability_.reset();
   pending_.clear();
   next_cycle_.reset();
   long_past_since_.reset();

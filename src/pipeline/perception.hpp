@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/estimator.hpp"
+#include "core/lane_availability.hpp"
 #include "core/lane_estimate.hpp"
 #include "pipeline/config.hpp"
 #include "sensors/measurement.hpp"
@@ -91,6 +92,7 @@ class MultiLanePerception {
   std::vector<std::unique_ptr<FeatureSource>> sources_;
   const ObjectSource* objects_ = nullptr;  ///< one of them, if it is enabled
   std::unique_ptr<LaneEstimator> estimator_;
+  LaneAvailability availability_;
   LaneEstimator::StageListener stage_done_ = [](Stage) {};
 
   std::vector<Measurement> pending_;

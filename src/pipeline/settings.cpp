@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/image_settings.hpp"
+#include "pipeline/road_settings.hpp"
 #include "pipeline/settings_section.hpp"
 #include "pipeline/trust_settings.hpp"
 
@@ -262,6 +263,7 @@ std::vector<Setting> settings_of(PerceptionConfig& config) {
   add_sources(root.section("sources"), config.sources);
   add_fusion(root.section("fusion"), config.fusion);
   add_lanes(root.section("lanes"), config.lanes);
+  add_road_settings(root.section("road"), config.road);
   return settings;
 }
 

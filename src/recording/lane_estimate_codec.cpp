@@ -24,6 +24,7 @@ void put(const Boundary& boundary, v1::Boundary& message) {
     part.set_x(point.x);
     part.set_y(point.y);
     part.set_sigma(point.sigma);
+    part.set_protection(point.protection);
   }
 }
 
@@ -49,13 +50,23 @@ Boundary take(const v1::Boundary& message) {
   boundary.marking = lanefuse::take(message.marking());
   take_support(message, boundary);
   for (const v1::BoundaryPoint& point : message.points()) {
-    boundary.points.push_back(
-        {finite(point.x(), type), finite(point.y(), type), finite(point.sigma(), type)});
+    boundary.points.push_back({finite(point.x(), type), finite(point.y(), type), finite(point.sigma(), type),
+                               finite(point.protection(), type)});
   }
   if (!boundary.clothoid.vector().allFinite() || !boundary.covariance.allFinite()) {
     refuse(type, "a number is not finite");
   }
   return boundary;
+}
+
+void put(const LanePoint& point, v1::LanePoint& message) {
+  message.set_x(point.x);
+  message.set_y(point.y);
+  message.set_heading(point.heading);
+  message.set_curvature(point.curvature);
+  message.set_width(point.width);
+  message.set_sigma(point.sigma);
+  message.set_width_sigma(point.width_sigma);
 }
 
 void put(const Lane& lane, v1::Lane& message) {
@@ -64,12 +75,29 @@ void put(const Lane& lane, v1::Lane& message) {
   message.set_right_boundary(lane.right_boundary);
   if (lane.left_lane) message.set_left_lane(*lane.left_lane);
   if (lane.right_lane) message.set_right_lane(*lane.right_lane);
+  message.set_range_begin(lane.range_begin);
+  message.set_range_end(lane.range_end);
+  message.set_confidence(lane.confidence);
+  message.set_availability(lane.availability);
+  for (const LanePoint& point : lane.centre) put(point, *message.add_centre());
+}
+
+LanePoint take(const v1::LanePoint& message, const std::string& type) {
+  return {finite(message.x(), type),          finite(message.y(), type),     finite(message.heading(), type),
+          finite(message.curvature(), type),  finite(message.width(), type), finite(message.sigma(), type),
+          finite(message.width_sigma(), type)};
 }
 
 Lane take(const v1::Lane& message) {
+  const std::string type = message.GetTypeName();
   Lane lane{message.id(), message.left_boundary(), message.right_boundary(), {}, {}};
   if (message.has_left_lane()) lane.left_lane = message.left_lane();
   if (message.has_right_lane()) lane.right_lane = message.right_lane();
+  lane.range_begin = finite(message.range_begin(), type);
+  lane.range_end = finite(message.range_end(), type);
+  lane.confidence = finite(message.confidence(), type);
+  lane.availability = finite(message.availability(), type);
+  for (const v1::LanePoint& point : message.centre()) lane.centre.push_back(take(point, type));
   return lane;
 }
 

@@ -110,7 +110,8 @@ std::optional<GeoOrigin> take_origin(const HeadRecord& record) {
 mcap::Metadata to_metadata(const RecordingHead& head) {
   // The lowest version that has all that the file holds, so that what is not new is written as ever.
   const bool has_origin = head.kind == RecordingHead::Kind::drive && head.drive.origin;
-  const int minor = head.drive.images ? kFormatMinor : has_origin ? 1 : 0;
+  const bool is_lanes = head.kind == RecordingHead::Kind::lanes;
+  const int minor = is_lanes ? kFormatMinor : head.drive.images ? 2 : has_origin ? 1 : 0;
   mcap::Metadata record{kRecordName, {}};
   record.metadata = {{"schema_version", fmt::format("{}.{}", kFormatMajor, minor)},
                      {"kind", to_string(head.kind)},
@@ -121,7 +122,7 @@ mcap::Metadata to_metadata(const RecordingHead& head) {
                      {"witness", lanefuse::to_string(head.drive.witness)}};
   if (head.drive.images) record.metadata["images"] = "yes";
   if (has_origin) record.metadata["origin"] = to_text(*head.drive.origin);
-  if (head.kind == RecordingHead::Kind::lanes) {
+  if (is_lanes) {
     record.metadata["run_witness"] = lanefuse::to_string(head.run.witness);
     record.metadata["estimator"] = head.run.estimator;
     record.metadata["configuration_hash"] = head.run.configuration_hash;

@@ -22,7 +22,7 @@ struct RecordingHead {
 
 /// Readers refuse another major version; a higher minor version has only added things, which they pass over.
 inline constexpr int kFormatMajor = 1;
-inline constexpr int kFormatMinor = 2;
+inline constexpr int kFormatMinor = 3;
 
 /// The frame and the line of a marking that every number of a recording refers to; readers refuse any other.
 inline constexpr char kDeclaredFrame[] = "ISO 8855, origin at road height under the middle of the front axle";

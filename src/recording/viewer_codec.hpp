@@ -10,7 +10,7 @@ namespace lanefuse {
 /// A cycle in the terms of other people's tools. Written, never read back.
 
 /// The boundaries as osi3.SensorData: points as sampled (at most 2 m apart), their lateral sigma as
-/// `boundary_line_rmse.y`, in the vehicle frame.
+/// `boundary_line_rmse.y`, in the vehicle frame; and the lanes between them, with their middles.
 mcap::Bytes encode_detected_boundaries(const LaneEstimate& estimate);
 
 /// The cycle as a drawing, foxglove.SceneUpdate in frame "vehicle": boundaries as line strips, fused features

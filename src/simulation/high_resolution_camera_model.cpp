@@ -91,6 +91,7 @@ void HighResolutionCameraModel::observe_bar(const Scene& scene, const LineOfSigh
   feature.covariance = covariance(feature);
   feature.source = Source::high_resolution_camera;
   feature.marking.colour = place.colour;
+  feature.label = place.label;
   features.push_back(feature);
 }
 
@@ -98,7 +99,7 @@ HighResolutionCameraModel::Bar HighResolutionCameraModel::bar_of(const Road& roa
   const double lateral = road.line_lateral(line, station);
   const double along = 1 - road.reference().curvature(station) * lateral;
   const double turn = std::atan2(road.line_slope(line, station), along);
-  return {station, lateral, turn, road.marking(line, station).colour};
+  return {station, lateral, turn, road.marking(line, station).colour, road.line_label(line)};
 }
 
 void HighResolutionCameraModel::observe_line(const Scene& scene, const LineOfSight& sight, int line,

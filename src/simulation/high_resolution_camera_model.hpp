@@ -18,7 +18,8 @@ namespace lanefuse {
 /// frame share, and by features that are none, half of them on the guard rails, where they form lines. What
 /// is wrong with places is wrong with directions: a camera that is turned sees a turned road.
 ///
-/// It does not say solid or dashed, for one short bar does not show it.
+/// It does not say solid or dashed, for one short bar does not show it. Each feature is labelled with the
+/// line that it is of: kNoLine for what is no paint, and for ghosts.
 class HighResolutionCameraModel final : public SensorModel {
  public:
   HighResolutionCameraModel(const SensorPreset& preset, std::uint64_t seed);
@@ -40,6 +41,7 @@ class HighResolutionCameraModel final : public SensorModel {
     double lateral = 0;  ///< [m]
     double turn = 0;     ///< [rad] against the road
     MarkingColour colour = MarkingColour::white;
+    LineLabel label = kNoLine;  ///< whose paint it is
   };
 
   void observe_line(const Scene& scene, const LineOfSight& sight, int line, std::vector<Feature>& features);

@@ -10,6 +10,15 @@ namespace {
 constexpr double kReachBehind = 50;              ///< [m] of the short-range radars, beside and behind
 constexpr double kCameraField = 0.5;             ///< [rad] to either side
 constexpr Duration kForgetAfter{1'000'000'000};  ///< a track that was not seen for so long is dropped
+constexpr double kInLane = 0.9;  ///< [m] beside its lane's middle; who is further off is between two lanes
+
+/// Says between which lines the vehicle drives. Where there is no road, nobody knows.
+void put_labels(const Scene& scene, const SceneVehicle& vehicle, TrackedObject& object) {
+  if (!scene.road) return;
+  const std::optional<int> lane = scene.road->lane_around(vehicle.station, vehicle.lateral, kInLane);
+  object.left_label = lane ? scene.road->line_label(scene.road->left_line(*lane)) : kNoLine;
+  object.right_label = lane ? scene.road->line_label(scene.road->right_line(*lane)) : kNoLine;
+}
 
 }  // namespace
 
@@ -87,6 +96,7 @@ void ObjectListModel::observe(const Scene& scene, std::vector<Measurement>& meas
     track.last_seen = scene.time;
     verify(track, ego_from_vehicle);
     list.objects.push_back(describe(track, vehicle, ego_from_vehicle));
+    put_labels(scene, vehicle, list.objects.back());
   }
   measurements.emplace_back(std::move(list));
 }

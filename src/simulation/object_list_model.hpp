@@ -17,7 +17,8 @@ namespace lanefuse {
 /// new track.
 ///
 /// Witnesses: the radars see every vehicle in reach; the camera verifies those ahead within its own range,
-/// frame by frame with its detection probability, and a track once verified stays so.
+/// frame by frame with its detection probability, and a track once verified stays so. Each is labelled with
+/// the lines at its lane's edges: kNoLine while it is between two lanes, or in none.
 class ObjectListModel final : public SensorModel {
  public:
   ObjectListModel(const SensorPreset& preset, std::uint64_t seed);

@@ -86,6 +86,8 @@ bool Road::painted(int line, double station) const {
          !paint_is_missing(painted, station);
 }
 
+LineLabel Road::line_label(int line) const { return line_at_index(line).ghost ? kNoLine : line; }
+
 double Road::lane_begin(int lane) const {
   return std::max(line_at_index(left_line(lane)).stretch.begin,
                   line_at_index(right_line(lane)).stretch.begin);
@@ -123,6 +125,14 @@ std::optional<int> Road::lane_at(double station, double lateral) const {
     }
   }
   return {};
+}
+
+std::optional<int> Road::lane_around(double station, double lateral, double reach) const {
+  const std::optional<int> lane = lane_at(station, lateral);
+  if (!lane) return {};
+  const double middle =
+      (line_lateral(left_line(*lane), station) + line_lateral(right_line(*lane), station)) / 2;
+  return std::abs(lateral - middle) <= reach ? lane : std::nullopt;
 }
 
 std::optional<int> Road::neighbour(int lane, Side side, double station) const {

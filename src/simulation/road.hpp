@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/feature.hpp"
 #include "roadmap/road_map.hpp"
 #include "simulation/preset.hpp"
 #include "simulation/reference_line.hpp"
@@ -46,6 +47,8 @@ class Road {
   /// Whether there is paint: not beyond the line's ends, in the gaps of its dashes, and where the paint is
   /// missing.
   [[nodiscard]] bool painted(int line, double station) const;
+  /// The line's index, or kNoLine where it is a ghost, which bounds no lane.
+  [[nodiscard]] LineLabel line_label(int line) const;
 
   /// All lanes that vehicles drive on, entries and exits among them.
   [[nodiscard]] int lane_count() const { return static_cast<int>(parts_.lanes.size()); }
@@ -60,6 +63,8 @@ class Road {
   [[nodiscard]] double lane_width(int lane, double station) const;
   /// The lane that the place lies in; none beyond the edges and between diverging lanes.
   [[nodiscard]] std::optional<int> lane_at(double station, double lateral) const;
+  /// As lane_at(), but only within `reach` [m] of the middle between the lane's two lines.
+  [[nodiscard]] std::optional<int> lane_around(double station, double lateral, double reach) const;
   /// The lane beside `lane` on that side, if there is one that is wide enough there to be driven on.
   [[nodiscard]] std::optional<int> neighbour(int lane, Side side, double station) const;
 

@@ -96,7 +96,9 @@ ClothoidMeasurement SerialCameraModel::hand_over(const Scene& scene, Side side, 
   measurement.range_begin = 0;
   measurement.range_end = range;
   measurement.confidence = 1 - preset_.dropout;
-  measurement.marking = scene.road->marking(line_of(*scene.road, lane_, side), scene.ego.station);
+  const int line = line_of(*scene.road, lane_, side);
+  measurement.marking = scene.road->marking(line, scene.ego.station);
+  measurement.label = scene.road->line_label(line);
   return measurement;
 }
 

@@ -15,7 +15,7 @@ namespace lanefuse {
 /// A serial camera's lane detection [IROS16, sec. II-B]: points on the inner edges of the ego lane's two
 /// markings, tracked inside the camera, which hands over two clothoids. How far it sees changes from frame to
 /// frame, and now and then a frame brings nothing. A marking of which it sees nothing for a while is left
-/// out. It does not measure how wide the paint is.
+/// out. It does not measure how wide the paint is. Its clothoids are labelled with the lines beside the car.
 class SerialCameraModel final : public SensorModel {
  public:
   SerialCameraModel(const SensorPreset& preset, std::uint64_t seed);

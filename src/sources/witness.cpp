@@ -46,6 +46,7 @@ void add_witness_features(const TrackedObject& object, const LaneWidth& width, c
     feature.source = Source::objects;
     feature.track_id = object.id;
     feature.side = side;
+    feature.label = side == Side::left ? object.left_label : object.right_label;
     features.push_back(feature);
   }
 }

@@ -96,6 +96,29 @@ TEST(Compare, SidesOfManyVariantsArePairedByName) {
   EXPECT_EQ(compare(a, more).pairs, 6U);
 }
 
+TEST(Compare, TwoEstimatorsArePairedOverWhatTheyAreCalled) {
+  const auto by = [](std::vector<ResultLine> lines, const std::string& estimator) {
+    for (ResultLine& line : lines) line.key.estimator = estimator;
+    return lines;
+  };
+  std::vector<ResultLine> graph = by(drives(kBefore), "graph");
+  std::vector<ResultLine> road = by(drives(kAfter), "road");
+  EXPECT_EQ(compare(graph, road).pairs, 6U);
+  // Variants are told apart by name all the same.
+  for (auto* side : {&graph, &road}) {
+    const auto more = as_variant(*side, "no-width");
+    side->insert(side->end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(compare(graph, road).pairs, 12U);
+  // And estimators are, where a side holds several.
+  std::vector<ResultLine> both = graph;
+  both.insert(both.end(), road.begin(), road.end());
+  const Comparison comparison = compare(both, road);
+  EXPECT_EQ(comparison.pairs, 12U);
+  EXPECT_EQ(comparison.only_in_a, 12U);
+  EXPECT_EQ(change_of(comparison, "ego RMSE at 0 m").change.mean, 0);
+}
+
 TEST(Compare, OtherSeedsAreComparedAsAWhole) {
   auto others = drives({0.31, 0.33, 0.32});
   for (ResultLine& line : others) line.key.seed += 100;

@@ -9,6 +9,7 @@
 
 #include "benchmark/drive_statistics.hpp"
 #include "benchmark/student_t.hpp"
+#include "core/random.hpp"
 
 namespace lanefuse {
 namespace {
@@ -105,6 +106,49 @@ TEST(UnpairedDifference, IsWelchsTest) {
 
 TEST(UnpairedDifference, OfASingleDriveSaysNoMore) {
   EXPECT_FALSE(unpaired_difference(std::vector{1.0}, std::vector{2.0, 3.0}).probability);
+}
+
+TEST(RatioOfMeans, WeighsEachSideByItsOwn) {
+  const PairedSample samples[] = {{{1, 1}, {4, 2}}, {{4, 2}, {1, 1}}};
+  const auto ratio = ratio_of_means(samples);
+  ASSERT_TRUE(ratio && ratio->factor);
+  EXPECT_DOUBLE_EQ(ratio->ratio, 1);
+  EXPECT_GT(*ratio->factor, 1);
+}
+
+TEST(RatioOfMeans, WhatBothSidesOfADriveShareIsGone) {
+  const PairedSample hard_and_easy[] = {{{2, 10}, {1, 10}}, {{20, 10}, {10, 10}}, {{6, 10}, {3, 10}}};
+  const auto ratio = ratio_of_means(hard_and_easy);
+  ASSERT_TRUE(ratio && ratio->factor);
+  EXPECT_DOUBLE_EQ(ratio->ratio, 2);
+  EXPECT_NEAR(*ratio->factor, 1, 1e-9);
+}
+
+TEST(RatioOfMeans, OneDriveGivesNoInterval) {
+  const PairedSample one[] = {{{2, 10}, {1, 10}}};
+  ASSERT_TRUE(ratio_of_means(one));
+  EXPECT_FALSE(ratio_of_means(one)->factor);
+  EXPECT_FALSE(ratio_of_means({}));
+  const PairedSample nothing_under[] = {{{2, 10}, {0, 10}}};
+  EXPECT_FALSE(ratio_of_means(nothing_under));
+}
+
+/// The interval is what it says: over many repetitions it holds the true ratio 95 times in a hundred.
+TEST(RatioOfMeans, CoversTheTrueRatio) {
+  Random random(7, "ratio of means");
+  int held = 0;
+  constexpr int kRepetitions = 2000;
+  for (int i = 0; i < kRepetitions; ++i) {
+    std::vector<PairedSample> samples;
+    for (int drive = 0; drive < 24; ++drive) {
+      const double shared = random.normal(0.2);
+      samples.push_back({{2 * std::exp(shared + random.normal(0.2)), random.uniform(50, 150)},
+                         {std::exp(shared + random.normal(0.2)), random.uniform(50, 150)}});
+    }
+    const auto ratio = ratio_of_means(samples);
+    held += 2 > ratio->ratio / *ratio->factor && 2 < ratio->ratio * *ratio->factor;
+  }
+  EXPECT_NEAR(double(held) / kRepetitions, 0.95, 0.02);
 }
 
 }  // namespace

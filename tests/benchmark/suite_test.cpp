@@ -108,17 +108,30 @@ TEST(Variants, DetectionsComeInPlaceOfTheObjectList) {
   for (const Variant& ablation : variants()) EXPECT_NE(ablation.name, kDetectionsVariant);
 }
 
+TEST(Suites, EachDriveIsDrivenWithEachEstimator) {
+  SuiteChoice choice;
+  choice.road = "gentle";
+  choice.seeds = {1, 2};
+  choice.estimators = {"graph", "road", "graph"};
+  const auto drives = drives_of(choice);
+  ASSERT_EQ(drives.size(), 4U);
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    EXPECT_EQ(drives[i].estimator, i % 2 == 0 ? "graph" : "road");
+    EXPECT_EQ(drives[i].seed, 1 + i / 2);
+  }
+}
+
 TEST(Suites, UnknownNamesAreRefused) {
   EXPECT_THROW(drives_of({.suite = "x"}), Error);
   EXPECT_THROW(drives_of({.road = "x"}), Error);
   EXPECT_THROW(drives_of({.scene = "x"}), Error);
   EXPECT_THROW(drives_of({.variant = "x"}), Error);
-  EXPECT_THROW(drives_of({.estimator = "x"}), Error);
+  EXPECT_THROW(drives_of({.estimators = {"graph", "x"}}), Error);
   EXPECT_THROW(drives_of({.truth = "x"}), Error);
 }
 
 TEST(Variants, EachTakesSomethingAway) {
-  const std::string full = fingerprint(configure(variants().front(), {}));
+  const std::string full = fingerprint(configure(variants().front(), "graph", {}));
   std::set<std::string> names;
   for (const Variant& variant : variants()) {
     EXPECT_TRUE(names.insert(std::string(variant.name)).second) << variant.name;
@@ -126,15 +139,27 @@ TEST(Variants, EachTakesSomethingAway) {
     variant.leave_out(simulation);
     const bool all_sensors =
         simulation.serial_camera && simulation.high_resolution_camera && simulation.objects;
-    const bool as_full = all_sensors && fingerprint(configure(variant, {})) == full;
+    const bool as_full = all_sensors && fingerprint(configure(variant, "graph", {})) == full;
     EXPECT_EQ(as_full, variant.name == variants().front().name) << variant.name;
   }
 }
 
 TEST(Variants, AssignmentsComeLast) {
   const std::vector<std::string> assignments{"fusion.width_edges=true"};
-  EXPECT_EQ(fingerprint(configure(find_variant("no-width"), assignments)),
-            fingerprint(configure(find_variant("full"), {})));
+  EXPECT_EQ(fingerprint(configure(find_variant("no-width"), "graph", assignments)),
+            fingerprint(configure(find_variant("full"), "graph", {})));
+}
+
+TEST(Variants, AreFusedByTheEstimatorThatTheDriveNames) {
+  EXPECT_EQ(configure(find_variant("full"), "graph", {}).estimator, EstimatorKind::graph);
+  EXPECT_EQ(configure(find_variant("full"), "road", {}).estimator, EstimatorKind::road);
+  EXPECT_THROW(configure(find_variant("full"), "x", {}), Error);
+}
+
+TEST(Variants, AssignmentsCannotContradictTheEstimator) {
+  const std::vector<std::string> road{"estimator=road"};
+  EXPECT_THROW(configure(find_variant("full"), "graph", road), Error);
+  EXPECT_EQ(configure(find_variant("full"), "road", road).estimator, EstimatorKind::road);
 }
 
 }  // namespace

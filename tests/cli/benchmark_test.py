@@ -97,6 +97,27 @@ class Drives(BenchmarkTest):
         markdown = self.call("benchmark", "table", "results.jsonl", "--markdown", "--by", "variant").stdout
         self.assertRegex(markdown, r"\| full \| ego \| 0\.\d{3} ±0\.\d{3} \|")
 
+    def test_a_table_says_how_far_the_oracle_is(self):
+        lines = self.lines("results.jsonl")
+        for line in lines:
+            line["estimator"] = "oracle"
+            for lane in line["lanes"].values():
+                for entry in lane:
+                    entry["rmse_m"] = entry["rmse_m"] and entry["rmse_m"] / 2
+        (self.folder / "oracle.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+        command = ["benchmark", "table", "results.jsonl", "oracle.jsonl"]
+        rows = {row["estimator"]: row for row in self.succeed(*command)}
+        self.assertNotIn("ratios", rows["oracle"])
+        (ratios,) = rows["graph"]["ratios"]
+        self.assertEqual((ratios["to"], ratios["drives"], len(ratios["figures"])), ("oracle", 3, 14))
+        at_60_m = ratios["figures"][3]
+        self.assertEqual(at_60_m["figure"], "ego RMSE at 60 m")
+        for key in ("ratio", "low", "high"):
+            self.assertAlmostEqual(at_60_m[key], 2)
+        self.assertRegex(self.call(*command).stdout, r"\n +ego x oracle +2\.00 ±0\.00 ")
+        self.assertIn("| ego x oracle | 2.00 ±0.00 |", self.call(*command, "--markdown").stdout)
+        self.assertNotIn(" x ", self.call("benchmark", "table", "results.jsonl").stdout)
+
     def test_compare_pairs_drives_and_judges(self):
         self.drive("without.jsonl", "--seeds", "1-3", "--no-times", "--variant", "no-objects")
         compared = self.succeed("benchmark", "compare", "results.jsonl", "without.jsonl")
@@ -106,6 +127,36 @@ class Drives(BenchmarkTest):
         same = self.call("benchmark", "compare", "results.jsonl", "results.jsonl").stdout
         self.assertIn("3 drives in both", same)
         self.assertNotIn("significantly", same)
+
+
+class Estimators(BenchmarkTest):
+    def test_both_drive_the_same_drives_and_are_compared(self):
+        self.drive("both.jsonl", "--seeds", "1-2", "--no-times", "--estimator", "graph,road")
+        lines = self.lines("both.jsonl")
+        self.assertEqual([(line["seed"], line["estimator"]) for line in lines],
+                         [(1, "graph"), (1, "road"), (2, "graph"), (2, "road")])
+        self.assertIn("graph", lines[0])
+        self.assertNotIn("graph", lines[1])
+        self.assertNotEqual(lines[0]["configuration_hash"], lines[1]["configuration_hash"])
+        self.assertEqual(lines[0]["inputs"], lines[1]["inputs"])
+        compared = self.succeed("benchmark", "compare", "both.jsonl", "both.jsonl", "--estimator-a", "graph",
+                                "--estimator-b", "road")
+        self.assertEqual((compared["pairs"], compared["only_in_a"], compared["only_in_b"]), (2, 0, 0))
+        table = self.call("benchmark", "table", "both.jsonl").stdout
+        self.assertIn("nominal, gentle, full, road", table)
+
+    def test_what_contradicts_itself_is_refused(self):
+        self.refuse(2, "benchmark", "--set", "estimator=road", "-o", "x.jsonl", naming="--estimator")
+        self.refuse(2, "benchmark", "--estimator", "graph,x", "-o", "x.jsonl", naming="graph, road")
+        self.refuse(2, "bench", "endurance", "--estimator", "road", "--beside", "direct", naming="--beside")
+        self.drive("graph.jsonl", "--seeds", "1", "--no-times")
+        self.refuse(2, "benchmark", "compare", "graph.jsonl", "graph.jsonl", "--estimator-b", "road",
+                    naming="no drive of estimator road")
+
+    def test_a_long_drive_takes_either(self):
+        for estimator in ("graph", "road"):
+            said = self.succeed("bench", "endurance", "--hours", 0.002, "--estimator", estimator)
+            self.assertEqual({stretch["estimator"] for stretch in said["stretches"]}, {estimator})
 
 
 class Times(BenchmarkTest):

@@ -41,6 +41,31 @@ class Configuration(program.ProgramTest):
         (self.folder / "file.yaml").write_text("cycle_hz: 5\n", encoding="utf-8")
         self.assertIn("cycle_hz: 10", self.printed("--config", "file.yaml", "--set", "cycle_hz=10"))
 
+    def test_either_estimator_runs_and_is_named(self):
+        self.assertEqual(self.plain["estimator"], "graph")
+        self.assertIn("graph", self.plain)
+        self.assertIn("estimator: road", self.printed("--set", "estimator=graph", "--estimator", "road"))
+        run = self.run_with("road.mcap", "--estimator", "road")
+        self.assertEqual(run["estimator"], "road")
+        self.assertNotIn("graph", run)
+        self.assertEqual(run["cycles"], self.plain["cycles"])
+        for name, estimator in (("plain.mcap", "graph"), ("road.mcap", "road")):
+            judged = self.succeed("evaluate", name, "--truth", "exact", "--report", "report.html", "--force")
+            self.assertEqual(judged["estimator"], estimator)
+            self.assertIn(f"estimator: {estimator}", (self.folder / "report.html").read_text(encoding="utf-8"))
+            self.assertIn(f"estimator: {estimator}", self.call("evaluate", name, "--truth", "exact").stdout)
+
+    def test_the_setting_chooses_as_the_option_does(self):
+        self.run_with("set.mcap", "--set", "estimator=road")
+        self.run_with("option.mcap", "--estimator", "road")
+        self.assertEqual(self.bytes_of("set.mcap"), self.bytes_of("option.mcap"))
+
+    def test_what_is_the_graphs_own_is_refused_with_another(self):
+        road = ("run", "drive.mcap", "-o", "x.mcap", "--estimator", "road")
+        self.refuse(2, *road, "--dump-graphs", "windows", naming="--dump-graphs")
+        self.refuse(2, *road, "--solver", "direct", naming="--solver")
+        self.refuse(2, "run", "drive.mcap", "-o", "x.mcap", "--estimator", "guess", naming="--estimator")
+
     def test_wrong_settings_are_refused_by_name(self):
         for setting, name in [("fusion.bogus=1", "fusion.bogus"), ("bogus=1", "bogus"), ("cycle_hz=-1", "cycle_hz"),
                               ("cycle_hz=fast", "cycle_hz"), ("cycle_hz=nan", "cycle_hz"), ("cycle_hz=", "cycle_hz"),

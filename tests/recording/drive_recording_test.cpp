@@ -63,6 +63,20 @@ TEST(DriveRecording, SameWritesGiveTheSameBytes) {
   EXPECT_EQ(testing::read_file(folder / "one.mcap"), testing::read_file(folder / "two.mcap"));
 }
 
+TEST(DriveRecording, CarriesNoLabels) {
+  const TemporaryFolder folder;
+  testing::write_drive(folder / "plain.mcap", 1, false);
+  DriveWriter writer(folder / "labelled.mcap", testing::kInfo, testing::small_rig());
+  for (Measurement& measurement : testing::tick(0)) {
+    if (auto* lane = std::get_if<SerialLane>(&measurement)) lane->left->label = 1;
+    if (auto* markings = std::get_if<MarkingFeatures>(&measurement)) markings->features[0].label = kNoLine;
+    if (auto* list = std::get_if<ObjectList>(&measurement)) list->objects[0].left_label = 2;
+    writer.write(measurement);
+  }
+  writer.close();
+  EXPECT_EQ(testing::read_file(folder / "labelled.mcap"), testing::read_file(folder / "plain.mcap"));
+}
+
 TEST(DriveRecording, TruthIsReadBackOnRequest) {
   const TemporaryFolder folder;
   testing::write_drive(folder / "drive.mcap", 25);

@@ -107,13 +107,17 @@ inline auto fields(const TrueRoad& r) {
   return std::make_tuple(all_fields(r.boundaries), all_fields(r.lanes));
 }
 
-inline auto fields(const BoundaryPoint& p) { return std::make_tuple(p.x, p.y, p.sigma); }
+inline auto fields(const BoundaryPoint& p) { return std::make_tuple(p.x, p.y, p.sigma, p.protection); }
 inline auto fields(const Boundary& b) {
   return std::make_tuple(b.id, fields(b.clothoid), fields(b.covariance), b.range_begin, b.range_end,
                          b.confidence, fields(b.marking), b.support, all_fields(b.points));
 }
+inline auto fields(const LanePoint& p) {
+  return std::make_tuple(p.x, p.y, p.heading, p.curvature, p.width, p.sigma, p.width_sigma);
+}
 inline auto fields(const Lane& l) {
-  return std::make_tuple(l.id, l.left_boundary, l.right_boundary, l.left_lane, l.right_lane);
+  return std::make_tuple(l.id, l.left_boundary, l.right_boundary, l.left_lane, l.right_lane, l.range_begin,
+                         l.range_end, l.confidence, l.availability, all_fields(l.centre));
 }
 inline auto fields(const LaneEstimate& e) {
   return std::make_tuple(to_nanoseconds(e.time), e.status, e.reason, e.speed, e.yaw_rate,

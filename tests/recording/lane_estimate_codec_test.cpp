@@ -54,6 +54,26 @@ TEST(LaneEstimateCodec, WhatALaterVersionMayAddIsRefusedByName) {
   }
 }
 
+TEST(LaneEstimateCodec, WhatOldFilesDoNotSayIsNotThere) {
+  v1::LaneEstimate message;
+  message.add_lanes()->set_id(7);
+  v1::Boundary& boundary = *message.add_boundaries();
+  for (int i = 0; i < 10; ++i) boundary.add_covariance(0);
+  boundary.add_points()->set_x(4);
+  const LaneEstimate estimate = decode_lane_estimate(bytes_of(message), Time{});
+  EXPECT_EQ(estimate.boundaries.at(0).points.at(0).protection, 0);
+  EXPECT_EQ(estimate.lanes.at(0).id, 7U);
+  EXPECT_TRUE(estimate.lanes.at(0).centre.empty());
+  EXPECT_EQ(estimate.lanes.at(0).availability, 0);
+}
+
+TEST(LaneEstimateCodec, LaneThatIsNotFiniteIsRefused) {
+  LaneEstimate estimate;
+  estimate.lanes.resize(1);
+  estimate.lanes[0].centre.push_back({0, 0, 0, std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_THROW(decode_lane_estimate(encode_lane_estimate(estimate), Time{}), Error);
+}
+
 TEST(LaneEstimateCodec, CovarianceOfTheWrongLengthIsRefused) {
   v1::LaneEstimate message;
   message.add_boundaries()->add_covariance(1);

@@ -111,7 +111,16 @@ inline TrueLane random_true_lane() {
   return {random_id(), random_id(), random_id(), maybe(random_id), maybe(random_id)};
 }
 
-inline BoundaryPoint random_boundary_point() { return {number(), number(), number()}; }
+inline BoundaryPoint random_boundary_point() { return {number(), number(), number(), number()}; }
+
+inline LanePoint random_lane_point() {
+  return {number(), number(), number(), number(), number(), number(), number()};
+}
+
+inline Lane random_lane() {
+  return {random_id(), random_id(), random_id(), maybe(random_id), maybe(random_id),
+          number(),    number(),    number(),    number(),         some(random_lane_point)};
+}
 
 inline Boundary random_boundary() {
   Boundary boundary{random_id(), random_clothoid(), symmetric<4>(),  number(),
@@ -125,9 +134,7 @@ inline LaneEstimate random_estimate() {
   LaneEstimate estimate{random_time(), any_of<EstimateStatus>(3), any_of<StatusReason>(7), number(),
                         number()};
   estimate.boundaries = some(random_boundary);
-  estimate.lanes = some([] {
-    return Lane{random_id(), random_id(), random_id(), maybe(random_id), maybe(random_id)};
-  });
+  estimate.lanes = some(random_lane);
   for (auto& status : estimate.sources) status = any_of<SourceStatus>(3);
   estimate.inputs = {random_id(), random_id(), random_id()};
   return estimate;

@@ -47,6 +47,30 @@ TEST(SerialCameraSource, MovesInnerEdgesOutwardToTheCentreOfThePaint) {
   EXPECT_EQ(sets[0].clothoids[1].side, Side::right);
 }
 
+TEST(CameraSources, KeepLabels) {
+  SerialCameraSource serial({});
+  SourceUnderTest lanes{serial};
+  SerialLane lane{kStamp, clothoid_at(1.7), clothoid_at(-1.8), {}};
+  lane.left->label = 2;
+  lanes.add(lane);
+  const auto clothoids = lanes.collect().at(0).clothoids;
+  ASSERT_EQ(clothoids.size(), 2U);
+  EXPECT_EQ(clothoids[0].label, 2);
+  EXPECT_EQ(clothoids[1].label, kNoLabel);
+
+  HighResolutionCameraSource camera({});
+  SourceUnderTest markings{camera};
+  MarkingFeatures seen{
+      kStamp, {Feature{.x = 30, .confidence = 0.5}, Feature{.x = 40, .confidence = 0.5}}, {}};
+  seen.features[0].label = 3;
+  seen.features[1].label = kNoLine;
+  markings.add(seen);
+  const auto features = markings.collect().at(0).features;
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[0].label, 3);
+  EXPECT_EQ(features[1].label, kNoLine);
+}
+
 TEST(SerialCameraSource, TakesTheConfiguredWidthAndInflation) {
   SerialCameraConfig config;
   config.marking_width = 0.2;

@@ -128,5 +128,18 @@ TEST(WitnessFeatures, AddTheDriversSpreadAcrossTheLane) {
   EXPECT_EQ(features[0].covariance, features[1].covariance);
 }
 
+TEST(WitnessFeatures, EachSideIsOfItsOwnLine) {
+  TrackedObject object = sound_witness();
+  object.left_label = 1;
+  object.right_label = 2;
+  std::vector<Feature> features;
+  add_witness_features(object, {}, {}, features);
+  ASSERT_EQ(features.size(), 2U);
+  for (const Feature& feature : features) EXPECT_EQ(feature.label, feature.side == Side::left ? 1 : 2);
+  features.clear();
+  add_witness_features(sound_witness(), {}, {}, features);
+  for (const Feature& feature : features) EXPECT_EQ(feature.label, kNoLabel);
+}
+
 }  // namespace
 }  // namespace lanefuse

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Lanefuse Authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/feature.hpp"
+#include "road/road_state.hpp"
+
+namespace lanefuse {
+
+/// A point of paint that is of no line that is known.
+struct StrayPaint {
+  double station = 0;
+  double lateral = 0;  ///< [m] left of the axis
+  MarkingEvidence marking;
+  LineLabel label = kNoLabel;
+};
+
+/// Takes a frame's marking features into the state, from near to far: what the near ones tell of heading,
+/// pitch and yaw is known when the far ones are given to lines. In each band of distance a line's features
+/// count as one measurement of their robust mean.
+class PaintUpdate {
+ public:
+  explicit PaintUpdate(const RoadConfig& config) : config_(config) {}
+
+  /// Gives how many features were given to lines; the others are in strays().
+  /// `moved` [m] by the car since the last frame: what is seen again from the same place says little new.
+  std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, double moved, RoadState& state);
+
+  /// Before any line is known: what the features' headings say of the road's course, which lets them be
+  /// sorted into lines even in a bend.
+  void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
+
+  [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
+
+ private:
+  /// A feature that was given to a line.
+  struct Given {
+    double residual = 0;  ///< [m] how far it is left of the line
+    double variance = 0;  ///< of its own
+    const Feature* feature = nullptr;
+  };
+
+  void take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
+  void give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state);
+  std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
+                        RoadState& state);
+  [[nodiscard]] SparseRow row_of(const RoadLine& line, const Eigen::Vector2d& seen,
+                                 const Pose2& now_from_measured, const RoadState& state) const;
+
+  RoadConfig config_;
+  std::vector<const Feature*> by_range_;
+  std::size_t next_ = 0;
+  std::size_t used_ = 0;
+  double repeats_ = 1;
+  /// What a line has in this band.
+  struct Near {
+    std::size_t on = 0;     ///< features of this frame on it
+    std::size_t left = 0;   ///< features that are nearest to it, not near enough, and on its left
+    std::size_t right = 0;  ///< and on its right
+    double from = 1e9;      ///< [m] the first of them
+  };
+  void let_go(RoadState& state);
+  void find_yellow();
+  [[nodiscard]] bool is_void(const Feature& feature) const;
+
+  std::vector<std::vector<Given>> given_;  ///< a line
+  std::vector<Near> near_;                 ///< a line
+  double yellow_begin_ = 1e9;              ///< [m] between which, in this frame, yellow paint counts alone
+  double yellow_end_ = -1e9;
+  std::vector<double> gates_;  ///< [m] a line, of this band
+  std::vector<StrayPaint> strays_;
+};
+
+}  // namespace lanefuse
