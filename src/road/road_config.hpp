@@ -24,7 +24,7 @@ struct RoadCourseConfig {
   double habit_m = 600;  ///< [m] of road behind that say how restless it is
   double first_curvature = 1.5e-3;  ///< [1/m] sigma before anything is known
   double first_heading_deg = 2;     ///< [deg] the same of the car's heading along the road
-  double offset_step = 0.012;        ///< [m] sigma of a marking's sideways drift over one offset spacing
+  double offset_step = 0.012;       ///< [m] sigma of a marking's sideways drift over one offset spacing
 };
 
 /// What the car's dead reckoning errs by.

@@ -46,7 +46,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   births_.forget_lines(state_);
   stage_done_(Stage::solve);
   state_.rebuild_axis();
-  writer_.write(state_, paint_.noise_scale(), estimate_);
+  writer_.write(state_, estimate_);
   judge();
   stage_done_(Stage::lane_model);
   return estimate_;
@@ -155,7 +155,6 @@ void RoadEstimator::reset() {
   state_.clear();
   births_.clear();
   writer_.clear();
-  paint_.forget_surprise();
   last_odometry_from_vehicle_.reset();
   estimate_ = {};
   debug_ = {};

@@ -10,8 +10,12 @@ namespace lanefuse {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kStanding = 0.05;  ///< [m/s] slower, the car stands
-constexpr double kBehind = 15;      ///< [m] of road that stays known behind the car
+constexpr double kStanding = 0.05;        ///< [m/s] slower, the car stands
+constexpr double kFirstMemory = 400;      ///< innovations for which what was assumed counts
+constexpr double kSurpriseMemory = 5000;  ///< innovations
+constexpr double kLeastScale = 0.3;
+constexpr double kMostScale = 5;
+constexpr double kBehind = 15;  ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -26,6 +30,8 @@ void RoadState::clear() {
   first_knot_ = -RoadAxis::kKnotSpacing;
   first_offset_ = -kOffsetSpacing;
   driven_ = 0;
+  noise_scale_ = 1;
+  innovations_ = 0;
   restlessness_ = square(config_.course.curvature_step);
   const CameraErrorsConfig& camera = config_.camera;
   numbers_.append(0, square(config_.course.first_heading_deg * kDegree));
@@ -99,7 +105,8 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
   if (!lines_.empty()) {
     const int count = static_cast<int>(lines_.size()) * kOffsets;
     numbers_.transform(kFixedNumbers, count, shift, -aside);
-    numbers_.add_shared_noise(kFixedNumbers, count, square(config_.motion.slip) * std::abs(along));
+    numbers_.add_shared_noise(kFixedNumbers, count,
+                              square(noise_scale_ * config_.motion.slip) * std::abs(along));
   }
   SparseRow turn;
   turn.add(kYawRateError, -seconds);
@@ -108,7 +115,7 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
   turn.add(kCurvatures + near.first + 1, -along * near.of_second);
   const double turned = before_from_now.heading - seconds * numbers_.mean(kYawRateError) - along * curvature;
   numbers_.transform(kHeading, 1, turn, turned);
-  numbers_.add_noise(kHeading, square(config_.motion.heading_deg * kDegree) * seconds);
+  numbers_.add_noise(kHeading, square(noise_scale_ * config_.motion.heading_deg * kDegree) * seconds);
   for (int k = kCurvatures; k < kCrests; ++k) {
     const double c = numbers_.mean(k);
     numbers_.set_mean(k, c / (1 - c * aside));
@@ -138,7 +145,9 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
 }
 
 void RoadState::decay_errors(double seconds) {
-  const auto wander = [&](int i, double keep, double sigma) { numbers_.decay(i, keep, sigma); };
+  const auto wander = [&](int i, double keep, double sigma) {
+    numbers_.decay(i, keep, noise_scale_ * sigma);
+  };
   const CameraErrorsConfig& camera = config_.camera;
   wander(kPaintYaw, std::exp(-seconds / camera.yaw_deg.tau), camera.yaw_deg.sigma * kDegree);
   wander(kPaintLean, std::exp(-seconds / camera.lean_deg.tau), camera.lean_deg.sigma * kDegree);
@@ -149,12 +158,13 @@ void RoadState::decay_errors(double seconds) {
   const WanderingError& driver = config_.vehicles.driver;
   for (const RoadVehicle& vehicle : vehicles_) {
     if (vehicle.in_lane) {
-      wander(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
+      numbers_.decay(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
     } else {
       numbers_.add_noise(vehicle.index, 2 * seconds / driver.tau * square(driver.sigma));
     }
   }
-  numbers_.add_noise(kYawRateError, square(config_.motion.yaw_rate_drift_deg * kDegree) * seconds);
+  numbers_.add_noise(kYawRateError,
+                     square(noise_scale_ * config_.motion.yaw_rate_drift_deg * kDegree) * seconds);
 }
 
 void RoadState::move_knots() {
@@ -221,6 +231,14 @@ void RoadState::remove_line(std::size_t line) {
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
   for (std::size_t i = line; i < lines_.size(); ++i) lines_[i].first -= kOffsets;
   for (RoadVehicle& vehicle : vehicles_) vehicle.index -= kOffsets;
+}
+
+/// Sensors whose noise is not as their makers say are told from what they measure: innovations that are
+/// larger, or smaller, than their variances allow.
+void RoadState::note_surprise(double surprise) {
+  const double memory = std::min(kSurpriseMemory, kFirstMemory + innovations_++);
+  const double change = 1 + (surprise / config_.usual_surprise - 1) / memory;
+  noise_scale_ = std::clamp(noise_scale_ * std::sqrt(change), kLeastScale, kMostScale);
 }
 
 double RoadState::usual_step() const {
