@@ -23,6 +23,7 @@ void add_course(const Section& s, RoadCourseConfig& c) {
         "change of the road's curvature over 20 m, at least");
   s.add("curvature_step_max", c.curvature_step_max, kSigma, "1/m",
         "and at most, where the road behind was that restless");
+  s.add("persistence", c.persistence, {0.0, 0.99}, "", "share of such a change that the next 20 m repeat");
   s.add("churn", c.churn, {0.0, 10.0}, "",
         "share of that change by which 20 m driven make the course uncertain");
   s.add("habit", c.habit_m, {20.0, 100000.0}, "m", "of road behind that say how restless it is");

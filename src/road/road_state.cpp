@@ -15,7 +15,8 @@ constexpr double kFirstMemory = 400;      ///< innovations for which what was as
 constexpr double kSurpriseMemory = 5000;  ///< innovations
 constexpr double kLeastScale = 0.3;
 constexpr double kMostScale = 5;
-constexpr double kBehind = 15;  ///< [m] of road that stays known behind the car
+constexpr double kCalmStep = 2e-4;  ///< [1/m] over one knot spacing
+constexpr double kBehind = 15;      ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -44,13 +45,25 @@ void RoadState::clear() {
   numbers_.append(0, square(config_.motion.speed_scale));
   numbers_.append(0, square(config_.course.first_curvature));
   for (int k = 1; k < RoadAxis::kKnots; ++k) {
-    SparseRow before;
-    before.add(kCurvatures + k - 1, 1);
-    numbers_.append(before, 0, square(2 * config_.course.curvature_step));
+    numbers_.append(next_curvature(kCurvatures + k), 0, square(2 * config_.course.curvature_step));
   }
   numbers_.append(0, square(camera.vertical_curvature / camera.height));
   for (int k = 1; k < kOffsets; ++k) numbers_.append(next_crest(kCrests + k - 1), 0, crest_noise());
   rebuild_axis();
+}
+
+/// Clothoids of calm roads are long; a road that bends sharply does not go on with it.
+double RoadState::persistence() const {
+  return config_.course.persistence * std::min(1.0, kCalmStep / usual_step());
+}
+
+/// The curvature at a knot from those before it: where a road begins to bend, it goes on to.
+SparseRow RoadState::next_curvature(int knot) const {
+  SparseRow row;
+  const double on = knot - 2 < kCurvatures ? 0 : persistence();
+  row.add(knot - 1, 1 + on);
+  if (on > 0) row.add(knot - 2, -on);
+  return row;
 }
 
 /// The road's vertical curvature one knot on from that of `before`.
@@ -172,9 +185,8 @@ void RoadState::move_knots() {
   while (first_knot_ + RoadAxis::kKnotSpacing < -kBehind) {
     const double step = numbers_.mean(kCurvatures + 1) - numbers_.mean(kCurvatures);
     restlessness_ += RoadAxis::kKnotSpacing / course.habit_m * (square(step) - restlessness_);
-    SparseRow before;
-    before.add(kCrests - 2, 1);
-    numbers_.shift(kCurvatures, RoadAxis::kKnots, before, square(usual_step()));
+    const double own = 1 - square(persistence());
+    numbers_.shift(kCurvatures, RoadAxis::kKnots, next_curvature(kCrests - 1), own * square(usual_step()));
     first_knot_ += RoadAxis::kKnotSpacing;
   }
   while (first_offset_ + kOffsetSpacing < -kBehind) {
