@@ -73,6 +73,8 @@ void add_road_settings(const Section& s, RoadConfig& c) {
   s.add("sigma_max", c.sigma_max, {0.05, 100.0}, "m", "nor where its lateral sigma exceeds this");
   s.add("usual_surprise", c.usual_surprise, {0.01, 100.0}, "",
         "mean square of innovations over their variances where noise is as assumed");
+  s.add("height_error", c.height_error, {0.0, 0.2}, "",
+        "of a camera's height, relative: scales what lies aside");
   s.add("sigma_scale", c.sigma_scale, {0.1, 10.0}, "", "on the sigmas that are told");
   s.add("protection", c.protection, {1.0, 100.0}, "", "sigmas of the protection level");
 }

@@ -15,8 +15,8 @@ constexpr double kFirstMemory = 400;      ///< innovations for which what was as
 constexpr double kSurpriseMemory = 5000;  ///< innovations
 constexpr double kLeastScale = 0.3;
 constexpr double kMostScale = 5;
-constexpr double kCalmStep = 2e-4;  ///< [1/m] over one knot spacing
-constexpr double kBehind = 15;      ///< [m] of road that stays known behind the car
+constexpr double kCurvedStep = 2e-4;  ///< [1/m] over one knot spacing, of a road with curves
+constexpr double kBehind = 15;        ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -52,9 +52,11 @@ void RoadState::clear() {
   rebuild_axis();
 }
 
-/// Clothoids of calm roads are long; a road that bends sharply does not go on with it.
+/// Where a road has curves, the clothoids into them last for a while; on a calm road there are none, and in
+/// sharp bends they are short.
 double RoadState::persistence() const {
-  return config_.course.persistence * std::min(1.0, kCalmStep / usual_step());
+  const double step = usual_step() / kCurvedStep;
+  return config_.course.persistence * std::min(step, 1 / step);
 }
 
 /// The curvature at a knot from those before it: where a road begins to bend, it goes on to.
