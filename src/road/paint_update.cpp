@@ -39,6 +39,8 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   repeats_ = std::clamp(kFreshWay / std::max(moved, 1e-3), 1.0, kMostRepeats);
   by_range_.clear();
   strays_.clear();
+  first_ = set.features.data();
+  given_to_.assign(set.features.size(), 0);
   for (const Feature& feature : set.features) by_range_.push_back(&feature);
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
@@ -201,9 +203,10 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   double weights = 0;
   double residual = 0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::size_t count = 0;
+  std::erase_if(given, [median](const Given& one) {
+    return square(one.residual - median) > square(kGateSigmas) * one.variance;
+  });
   for (const Given& one : given) {
-    if (square(one.residual - median) > square(kGateSigmas) * one.variance) continue;
     const double weight = 1 / one.variance;
     weights += weight;
     residual += weight * one.residual;
@@ -211,7 +214,6 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
     if (one.feature->marking.colour != MarkingColour::unknown)
       line.marking.colour = one.feature->marking.colour;
     if (one.feature->marking.type != MarkingType::unknown) line.marking.type = one.feature->marking.type;
-    ++count;
   }
   residual /= weights;
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
@@ -221,8 +223,9 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
     return 0;
   }
   state.numbers().update(row, -residual, noise);
-  line.paint = static_cast<std::uint16_t>(line.paint + count);
-  return count;
+  for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
+  line.paint = static_cast<std::uint16_t>(line.paint + given.size());
+  return given.size();
 }
 
 }  // namespace lanefuse
