@@ -46,7 +46,7 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   given_.resize(RoadState::kMostLines);
   near_.assign(RoadState::kMostLines, {});
-  find_yellow();
+  find_yellow(now_from_measured, state);
   next_ = 0;
   used_ = 0;
   for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
@@ -56,17 +56,22 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   return used_;
 }
 
-/// Where a road is being built, yellow paint makes the white void. Single features may be mistaken.
-void PaintUpdate::find_yellow() {
+/// Where a road is being built, yellow paint on both sides of the car makes the white void; on the left alone
+/// it is America's edge of the road. Single features may be mistaken.
+void PaintUpdate::find_yellow(const Pose2& now_from_measured, const RoadState& state) {
   std::size_t count = 0;
+  std::size_t on_left = 0;
   yellow_begin_ = 1e9;
   yellow_end_ = -1e9;
   for (const Feature* feature : by_range_) {
     if (feature->marking.colour != MarkingColour::yellow) continue;
+    const Eigen::Vector2d place = now_from_measured * Eigen::Vector2d(feature->x, feature->y);
+    if (state.axis().project(place).lateral > 0) ++on_left;
     if (++count == kFewYellow) yellow_begin_ = feature->x;
     if (count > kFewYellow) yellow_end_ = feature->x;
   }
-  if (count < kEnoughYellow) yellow_begin_ = 1e9;
+  const bool on_both_sides = std::min(on_left, count - on_left) >= kFewYellow;
+  if (count < kEnoughYellow || !on_both_sides) yellow_begin_ = 1e9;
 }
 
 bool PaintUpdate::is_void(const Feature& feature) const {

@@ -65,7 +65,7 @@ class PaintUpdate {
     double from = 1e9;      ///< [m] the first of them
   };
   void let_go(RoadState& state);
-  void find_yellow();
+  void find_yellow(const Pose2& now_from_measured, const RoadState& state);
   [[nodiscard]] bool is_void(const Feature& feature) const;
 
   std::vector<std::vector<Given>> given_;  ///< a line
