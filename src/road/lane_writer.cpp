@@ -32,7 +32,8 @@ void LaneWriter::clear() {
   next_lane_ = 1;
 }
 
-void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
+void LaneWriter::write(const RoadState& state, double noise_scale, LaneEstimate& estimate) {
+  scale_ = config_.sigma_scale * noise_scale;
   from_left_.clear();
   for (const RoadLine& line : state.lines()) from_left_.push_back(&line);
   std::sort(from_left_.begin(), from_left_.end(), [&](const RoadLine* a, const RoadLine* b) {
@@ -72,14 +73,14 @@ void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boun
   double x = 0;
   Eigen::Vector2d before = Eigen::Vector2d::Zero();
   double sigma_before = 0;
-  double sigma = std::sqrt(state.variance(line, 0));
+  double sigma = scale_ * std::sqrt(state.variance(line, 0));
   double sigma_after = sigma;
   double sigma_at = -kSigmaStep;
   for (double station = -10; station <= RoadAxis::kEnd - kStep; station += kStep) {
     if (station >= 0 && station >= sigma_at + kSigmaStep) {
       sigma_at = station;
       sigma_before = sigma_after;
-      sigma_after = std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
+      sigma_after = scale_ * std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
       if (station == 0) sigma_before = sigma;
     }
     const RoadAxis::Place place = axis.at(station);
@@ -135,7 +136,7 @@ void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boun
     }
   }
   const Eigen::Matrix4d inverse = vandermonde.inverse();
-  const Eigen::Matrix4d covariance = inverse * places * inverse.transpose();
+  const Eigen::Matrix4d covariance = scale_ * scale_ * inverse * places * inverse.transpose();
   boundary.covariance = (covariance + covariance.transpose()) / 2;
 }
 

@@ -16,8 +16,8 @@ class LaneWriter {
  public:
   explicit LaneWriter(const RoadConfig& config) : config_(config) {}
 
-  /// Writes boundaries and lanes; the axis must be up to date.
-  void write(const RoadState& state, LaneEstimate& estimate);
+  /// Writes boundaries and lanes; the axis must be up to date. `noise_scale`: see PaintUpdate::noise_scale().
+  void write(const RoadState& state, double noise_scale, LaneEstimate& estimate);
   void clear();
 
  private:
@@ -42,6 +42,7 @@ class LaneWriter {
   std::uint64_t lane_id(std::uint64_t left, std::uint64_t right);
 
   RoadConfig config_;
+  double scale_ = 1;  ///< on what the state says of its own uncertainty
   std::vector<const RoadLine*> from_left_;
   std::vector<std::vector<BoundaryPoint>> spare_points_;
   std::vector<KnownLane> known_lanes_;

@@ -7,13 +7,20 @@
 #include <cmath>
 
 #include "road/camera_view_error.hpp"
+#include "road/heading_update.hpp"
 
 namespace lanefuse {
 namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
-constexpr double kAmbiguous = 0.6;   ///< [m] sigma of where the lines are
+constexpr double kAmbiguous = 0.6;    ///< [m] sigma of where the lines are
+constexpr double kRestless = 2.5e-4;  ///< [1/m] over one knot spacing: on calmer roads it does not happen
+constexpr double kBeyond = 1.5;       ///< [m] beyond the outermost line: too far to be on it
+constexpr double kNextLane = 5;       ///< [m] beyond it: a lane further
+constexpr double kNear = 40;          ///< [m] ahead, where lines are put in order
+constexpr std::size_t kFewInBand = 3;
+constexpr int kUnexplainedFrames = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
 constexpr double kMostRepeats = 20;
@@ -26,9 +33,11 @@ constexpr double kFreedBefore = 25;  ///< [m] before the first such band
 constexpr double kFreedSigma = 0.5;  ///< [m]
 constexpr std::size_t kFewYellow = 2;
 constexpr std::size_t kEnoughYellow = 8;
-constexpr double kHeadingReach = 60;    ///< [m] further, headings say too little
-constexpr double kHeadingRepeats = 10;  ///< headings of a frame lean together
-constexpr double kRefusedSigmas = 4;    ///< of a band's mean
+constexpr double kHeadingReach = 60;      ///< [m] further, headings say too little
+constexpr double kHeadingRepeats = 10;    ///< headings of a frame lean together
+constexpr double kFirstMemory = 400;      ///< innovations for which what was assumed counts
+constexpr double kSurpriseMemory = 5000;  ///< innovations
+constexpr double kRefusedSigmas = 4;      ///< of a band's mean
 
 double square(double x) { return x * x; }
 
@@ -49,9 +58,15 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   find_yellow(now_from_measured, state);
   next_ = 0;
   used_ = 0;
-  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
-    take_band(kBands[b], kBands[b + 1], now_from_measured, state);
+  bool explained = true;
+  for (std::size_t b = 0; b + 1 < kBands.size() && explained; ++b) {
+    explained = take_band(kBands[b], kBands[b + 1], now_from_measured, state);
+    if (explained) continue;
+    if (++unexplained_ < kUnexplainedFrames) break;
+    unexplained_ = 0;
+    state.free_course(kBands[b] - kFreedBefore);
   }
+  if (explained) unexplained_ = 0;
   let_go(state);
   return used_;
 }
@@ -102,27 +117,16 @@ void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_mea
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   for (const Feature* feature : by_range_) {
-    state.rebuild_axis();
-    const RoadAxis::Foot foot =
-        state.axis().project(now_from_measured * Eigen::Vector2d(feature->x, feature->y));
-    const double station = foot.place.station;
-    const double residual =
-        wrap_angle(now_from_measured.heading + feature->heading - state.axis().heading_at(station));
-    SparseRow row;
-    row.add(kHeading, -1);
-    for (int k = 0; k < RoadAxis::kKnots; ++k) {
-      row.add(kCurvatures + k,
-              hat_turn(state.first_knot() + k * RoadAxis::kKnotSpacing, RoadAxis::kKnotSpacing, station));
-    }
-    const double noise = kHeadingRepeats * feature->covariance(2, 2);
-    if (square(residual) > square(kGateSigmas) * (state.numbers().variance(row) + noise)) continue;
-    state.numbers().update(row, residual, noise);
+    const Eigen::Vector2d place = now_from_measured * Eigen::Vector2d(feature->x, feature->y);
+    const double heading = now_from_measured.heading + feature->heading;
+    take_heading(place, heading, kHeadingRepeats * feature->covariance(2, 2), state);
   }
 }
 
-void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {
+/// Gives whether the lines explain what was seen: else it is the road that goes otherwise than was believed.
+bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {
   while (next_ < by_range_.size() && by_range_[next_]->x < begin) ++next_;
-  if (next_ == by_range_.size() || by_range_[next_]->x >= end) return;
+  if (next_ == by_range_.size() || by_range_[next_]->x >= end) return true;
   state.rebuild_axis();
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
@@ -138,16 +142,47 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   const bool labelled = config_.association == RoadAssociation::labelled;
   const bool ambiguous =
       !labelled && !gates_.empty() && *std::min_element(gates_.begin(), gates_.end()) > kAmbiguous;
+  const std::size_t strays = strays_.size();
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
     if (ambiguous || is_void(*by_range_[next_])) continue;
     give(*by_range_[next_], now_from_measured, state);
   }
+  if (!labelled && !is_explained(strays, state)) return false;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     near_[i].on += given_[i].size();
     // What few features there are where a line has no paint are of something else.
     if (given_[i].empty() || (!labelled && state.lines()[i].density < kPainted)) continue;
     used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
   }
+  return true;
+}
+
+/// Whether the lines may be what the band shows. Where all of them are taken for their neighbours, all but
+/// one find paint; that one finds none, and there is paint a lane beyond the other side: then none of it is
+/// believed.
+bool PaintUpdate::is_explained(std::size_t first_stray, const RoadState& state) {
+  const auto& lines = state.lines();
+  if (lines.size() < 3 || state.usual_step() < kRestless) return true;
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (state.offset(lines[i], kNear) > state.offset(lines[left], kNear)) left = i;
+    if (state.offset(lines[i], kNear) < state.offset(lines[right], kNear)) right = i;
+  }
+  std::size_t beyond_left = 0;
+  std::size_t beyond_right = 0;
+  for (std::size_t i = first_stray; i < strays_.size(); ++i) {
+    const StrayPaint& stray = strays_[i];
+    const double from_left = stray.lateral - state.offset(lines[left], stray.station);
+    const double from_right = state.offset(lines[right], stray.station) - stray.lateral;
+    if (from_left > kBeyond && from_left < kNextLane) ++beyond_left;
+    if (from_right > kBeyond && from_right < kNextLane) ++beyond_right;
+  }
+  const bool aside = (beyond_left >= kFewInBand && given_[right].empty()) ||
+                     (beyond_right >= kFewInBand && given_[left].empty());
+  if (!aside) return true;
+  strays_.resize(first_stray);
+  return false;
 }
 
 void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state) {
@@ -168,7 +203,8 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
     least = residual;
   }
   if (nearest < state.lines().size()) {
-    const double gate = std::min(kWidestGate, kGateSigmas * std::sqrt(square(gates_[nearest]) + variance));
+    const double gate =
+        std::min(kWidestGate, kGateSigmas * noise_scale() * std::sqrt(square(gates_[nearest]) + variance));
     if (labelled || std::abs(least) < gate) {
       given_[nearest].push_back({least, variance, &feature});
       return;
@@ -208,8 +244,8 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   double weights = 0;
   double residual = 0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::erase_if(given, [median](const Given& one) {
-    return square(one.residual - median) > square(kGateSigmas) * one.variance;
+  std::erase_if(given, [&](const Given& one) {
+    return square(one.residual - median) > square(kGateSigmas * noise_scale()) * one.variance;
   });
   for (const Given& one : given) {
     const double weight = 1 / one.variance;
@@ -223,10 +259,11 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   residual /= weights;
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
   const double noise = repeats_ / weights;
-  if (config_.association == RoadAssociation::gated &&
-      square(residual) > square(kRefusedSigmas) * (state.numbers().variance(row) + noise)) {
-    return 0;
-  }
+  const double surprise = square(residual) / (state.numbers().variance(row) + noise);
+  const double scale = square(noise_scale());
+  if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas) * scale) return 0;
+  surprise_ += (std::min(surprise, square(kRefusedSigmas) * scale) - surprise_) /
+               std::min(kSurpriseMemory, kFirstMemory + innovations_++);
   state.numbers().update(row, -residual, noise);
   for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
   line.paint = static_cast<std::uint16_t>(line.paint + given.size());

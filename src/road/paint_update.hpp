@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct StrayPaint {
 /// count as one measurement of their robust mean.
 class PaintUpdate {
  public:
-  explicit PaintUpdate(const RoadConfig& config) : config_(config) {}
+  explicit PaintUpdate(const RoadConfig& config) : config_(config), surprise_(config.usual_surprise) {}
 
   /// Gives how many features were given to lines; the others are in strays().
   /// `moved` [m] by the car since the last frame: what is seen again from the same place says little new.
@@ -32,6 +33,13 @@ class PaintUpdate {
   /// Before any line is known: what the features' headings say of the road's course, which lets them be
   /// sorted into lines even in a bend.
   void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
+
+  /// By how much sensors err more than was assumed, as the innovations of late show: 1 is as assumed.
+  [[nodiscard]] double noise_scale() const { return std::sqrt(surprise_ / config_.usual_surprise); }
+  void forget_surprise() {
+    surprise_ = config_.usual_surprise;
+    innovations_ = 0;
+  }
 
   [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
   /// The id of the line that each of the last frame's features was taken for, 0 where for none.
@@ -45,7 +53,7 @@ class PaintUpdate {
     const Feature* feature = nullptr;
   };
 
-  void take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
+  bool take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
   void give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state);
   std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
                         RoadState& state);
@@ -56,7 +64,10 @@ class PaintUpdate {
   std::vector<const Feature*> by_range_;
   std::size_t next_ = 0;
   std::size_t used_ = 0;
+  int unexplained_ = 0;  ///< frames in a row with a band that the lines do not explain
   double repeats_ = 1;
+  double innovations_ = 0;
+  double surprise_ = 1;  ///< mean square of the innovations of late over their variances
   /// What a line has in this band.
   struct Near {
     std::size_t on = 0;     ///< features of this frame on it
@@ -64,6 +75,7 @@ class PaintUpdate {
     std::size_t right = 0;  ///< and on its right
     double from = 1e9;      ///< [m] the first of them
   };
+  [[nodiscard]] bool is_explained(std::size_t first_stray, const RoadState& state);
   void let_go(RoadState& state);
   void find_yellow(const Pose2& now_from_measured, const RoadState& state);
   [[nodiscard]] bool is_void(const Feature& feature) const;

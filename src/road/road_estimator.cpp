@@ -52,7 +52,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   births_.forget_lines(state_);
   stage_done_(Stage::solve);
   state_.rebuild_axis();
-  writer_.write(state_, estimate_);
+  writer_.write(state_, paint_.noise_scale(), estimate_);
   judge();
   stage_done_(Stage::lane_model);
   return estimate_;
@@ -164,6 +164,7 @@ void RoadEstimator::reset() {
   state_.clear();
   births_.clear();
   writer_.clear();
+  paint_.forget_surprise();
   last_odometry_from_vehicle_.reset();
   estimate_ = {};
   debug_ = {};

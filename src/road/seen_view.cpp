@@ -55,7 +55,7 @@ void show_vehicles(const FeatureSet& set, const Pose2& now_from_measured,
     const auto vehicle = std::find_if(vehicles.begin(), vehicles.end(), [&](const RoadVehicle& known) {
       return known.track_id == feature.track_id;
     });
-    const bool keeps_lane = vehicle != vehicles.end() && feature.side != Side::none;
+    const bool keeps_lane = vehicle != vehicles.end() && vehicle->in_lane && feature.side != Side::none;
     const std::uint64_t line = !keeps_lane ? 0 : feature.side == Side::left ? vehicle->left : vehicle->right;
     show(feature, now_from_measured, line, view);
   }
