@@ -20,6 +20,9 @@ constexpr double kSeenFromNear = 15;  ///< [m] what is seen from there on has al
 constexpr double kMemory = 60;        ///< [m] driven, over which it is forgotten
 constexpr std::size_t kMost = 32;
 constexpr double kForgotten = 400;  ///< [m] driven without a line being seen
+constexpr double kGone = 80;        ///< [m] the same for an outermost line, where others are seen
+constexpr double kSeen = 4;         ///< features in a frame, of a line that the camera sees
+constexpr double kEgoEdge = 3;      ///< [m] a line nearer than this may bound the ego lane
 constexpr double kOneLine = 1.2;    ///< [m] two lines nearer than this all along are one
 
 }  // namespace
@@ -92,17 +95,32 @@ void LineBirths::found_lines(RoadState& state) {
   }
 }
 
+/// Whether it bounds neither the car's own lane nor one further out: nothing but its own paint and vehicles
+/// beside it say that it is still there.
+bool LineBirths::is_outermost(const RoadLine& line, const RoadState& state) {
+  const double beside = state.offset(line, 0);
+  return std::none_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& other) {
+    const double further = state.offset(other, 0) - beside;
+    return beside > 0 ? further > 0.1 || beside < kEgoEdge : further < -0.1 || beside > -kEgoEdge;
+  });
+}
+
 void LineBirths::forget_lines(RoadState& state) const {
+  const bool camera_sees = std::any_of(state.lines().begin(), state.lines().end(),
+                                       [](const RoadLine& line) { return line.density > kSeen; });
   for (std::size_t i = state.lines().size(); i-- > 0;) {
     const RoadLine& line = state.lines()[i];
-    const double beside = std::abs(state.offset(line, 0));
-    const bool lost = state.driven() - line.seen_at > kForgotten || beside > kFarAside + 2;
+    const double unseen = state.driven() - line.seen_at;
+    const bool gone = camera_sees && unseen > kGone && is_outermost(line, state);
+    const bool lost = unseen > kForgotten || std::abs(state.offset(line, 0)) > kFarAside + 2;
     const auto same_as = [&](const RoadLine& older) {
       if (older.id >= line.id) return false;
       return std::abs(state.offset(older, 0) - state.offset(line, 0)) < kOneLine &&
              std::abs(state.offset(older, 60) - state.offset(line, 60)) < kOneLine;
     };
-    if (lost || std::any_of(state.lines().begin(), state.lines().end(), same_as)) state.remove_line(i);
+    if (gone || lost || std::any_of(state.lines().begin(), state.lines().end(), same_as)) {
+      state.remove_line(i);
+    }
   }
 }
 

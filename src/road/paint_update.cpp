@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
+constexpr double kAmbiguous = 0.6;   ///< [m] sigma of where the lines are
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
 constexpr double kMostRepeats = 20;
@@ -125,11 +126,15 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
     gates_.push_back(std::sqrt(variance));
     given_[gates_.size() - 1].clear();
   }
+  // Where the road may be half a lane aside, its lines would be taken for their neighbours: better wait until
+  // the car is nearer.
+  const bool labelled = config_.association == RoadAssociation::labelled;
+  const bool ambiguous =
+      !labelled && !gates_.empty() && *std::min_element(gates_.begin(), gates_.end()) > kAmbiguous;
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
-    if (is_void(*by_range_[next_])) continue;
+    if (ambiguous || is_void(*by_range_[next_])) continue;
     give(*by_range_[next_], now_from_measured, state);
   }
-  const bool labelled = config_.association == RoadAssociation::labelled;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     near_[i].on += given_[i].size();
     // What few features there are where a line has no paint are of something else.
