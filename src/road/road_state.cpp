@@ -106,7 +106,7 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
   const double turned = before_from_now.heading - seconds * numbers_.mean(kYawRateError) - along * curvature;
   numbers_.transform(kHeading, 1, turn, turned);
   numbers_.add_noise(kHeading, square(config_.motion.heading_deg * kDegree) * seconds);
-  for (int k = kCurvatures; k < kFixedNumbers; ++k) {
+  for (int k = kCurvatures; k < kCrests; ++k) {
     const double c = numbers_.mean(k);
     numbers_.set_mean(k, c / (1 - c * aside));
   }
