@@ -198,6 +198,7 @@ NoiselessDrive traffic(double curvature) {
 
 TEST(RoadEstimator, FindsLanesFromVehiclesAlone) {
   NoiselessDrive drive = traffic(0);
+  drive.speed = 3;
   RoadEstimator estimator{RoadConfig{}};
   const LaneEstimate& estimate = drive.run(estimator, 20);
   EXPECT_EQ(estimate.status, EstimateStatus::ok);
