@@ -18,10 +18,13 @@ struct DriveKey {
   std::string variant = "full";
   std::string estimator = "graph";
   std::string truth = "exact";
+  double noise = 1;  ///< sensors err so many times as much as they say: see with_noise()
   friend auto operator<=>(const DriveKey&, const DriveKey&) = default;
 };
 
 /// For people: "nominal, gentle, seed 1, 24 km, full, graph, truth exact".
 std::string to_string(const DriveKey& key);
+/// ", noise x 2"; nothing for 1.
+std::string noise_in_name(double noise);
 
 }  // namespace lanefuse

@@ -14,11 +14,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 DriveKey key_of(const Json& json) {
-  return {json.at("scene"),   json.at("road"),      json.at("seed"), json.at("km"),
-          json.at("variant"), json.at("estimator"), json.at("truth")};
+  return {json.at("scene"),   json.at("road"),      json.at("seed"),  json.at("km"),
+          json.at("variant"), json.at("estimator"), json.at("truth"), json.value("noise", 1.0)};
 }
 
+/// A noise of one may be said or left out.
 Json without_times(Json json) {
+  if (json.value("noise", 1.0) == 1) json.erase("noise");
   for (const char* key : kTimeKeys) json.erase(key);
   return json;
 }
@@ -26,17 +28,14 @@ Json without_times(Json json) {
 }  // namespace
 
 Json head_json(const DriveKey& key, const Provenance& provenance) {
-  return {{"scene", key.scene},
-          {"road", key.road},
-          {"seed", key.seed},
-          {"km", key.km},
-          {"variant", key.variant},
-          {"estimator", key.estimator},
-          {"truth", key.truth},
-          {"version", provenance.version},
-          {"preset", provenance.preset},
-          {"scene_hash", provenance.scene},
-          {"configuration_hash", provenance.configuration}};
+  Json head{{"scene", key.scene},     {"road", key.road},           {"seed", key.seed},  {"km", key.km},
+            {"variant", key.variant}, {"estimator", key.estimator}, {"truth", key.truth}};
+  if (key.noise != 1) head["noise"] = key.noise;
+  head.update({{"version", provenance.version},
+               {"preset", provenance.preset},
+               {"scene_hash", provenance.scene},
+               {"configuration_hash", provenance.configuration}});
+  return head;
 }
 
 ResultLine parse_line(const std::string& text, const std::string& place) {
@@ -46,7 +45,8 @@ ResultLine parse_line(const std::string& text, const std::string& place) {
       throw input_error(place, "is no line of benchmark results");
     }
     const DriveKey key = key_of(json);
-    if (!std::isfinite(key.km)) throw input_error(place, "is no line of benchmark results");
+    if (!std::isfinite(key.km) || !(key.noise > 0))
+      throw input_error(place, "is no line of benchmark results");
     return {key,
             {json.at("version"), json.at("preset"), json.at("scene_hash"), json.at("configuration_hash")},
             std::move(json),

@@ -13,7 +13,7 @@ namespace lanefuse {
 /// What a drive's figures depend on, beside its key.
 struct Provenance {
   std::string version;        ///< of Lanefuse
-  std::string preset;         ///< hash of the simulator's sensor preset
+  std::string preset;         ///< hash of the simulator's sensor preset's file, whatever the key's noise
   std::string scene;          ///< hash of the scene's scenario file
   std::string configuration;  ///< hash of the pipeline's configuration
   friend bool operator==(const Provenance&, const Provenance&) = default;
@@ -28,7 +28,8 @@ struct ResultLine {
   std::string place;  ///< file and line
 };
 
-/// The head of every line: key and provenance.
+/// The head of every line: key and provenance. A noise of one is left out, as in files from before there was
+/// any other.
 nlohmann::ordered_json head_json(const DriveKey& key, const Provenance& provenance);
 
 /// Throws an input Error that names `place` where the text is no line of results.

@@ -58,6 +58,7 @@ SimulationConfig simulation_of(const DriveKey& key) {
   config.km = key.km;
   config.road = course_of(key);
   config.scenario = built_in_scenario(key.scene);
+  config.noise = key.noise;
   return config;
 }
 

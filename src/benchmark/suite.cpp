@@ -33,6 +33,7 @@ const Suite kSuites[] = {
     {"nominal", kNominalScene, kAll, "full", 24},
     {"scenes", kAll, kAll, "full", 4},
     {"ablations", kNominalScene, "gentle", kAll, 24},
+    {"coverage", kNominalScene, kAll, "full", 2},
 };
 
 void demand_one_of(const char* option, const std::string& name, const std::vector<std::string>& names) {
@@ -120,6 +121,7 @@ std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
       }
     }
   }
+  for (DriveKey& drive : drives) drive.noise = choice.noise;
   return drives;
 }
 

@@ -13,10 +13,11 @@ namespace lanefuse {
 
 /// Which drives are asked for: a suite, and where it is not to be as it stands.
 struct SuiteChoice {
-  std::string suite = "nominal";       ///< nominal, scenes or ablations
+  std::string suite = "nominal";       ///< nominal, scenes, ablations or coverage
   std::optional<std::string> road;     ///< gentle, curved or all
   std::optional<std::string> scene;    ///< only this one
   std::optional<std::string> variant;  ///< only this one, or all
+  double noise = 1;                    ///< sensors err so many times as much as they say
   bool detections = false;             ///< each drive once more, on raw detections
   std::vector<std::uint64_t> seeds{1};
   std::optional<double> km;                      ///< of each drive

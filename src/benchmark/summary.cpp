@@ -31,7 +31,8 @@ std::string group_name(const DriveKey& key, GroupBy by) {
 }
 
 bool is_nominal(const ResultLine& line) {
-  return line.key.scene == kNominalScene && line.key.variant == variants().front().name;
+  return line.key.scene == kNominalScene && line.key.noise == 1 &&
+         line.key.variant == variants().front().name;
 }
 
 /// Refuses two lines with one `kind` that were made from different `what`.
@@ -77,6 +78,7 @@ Summary summary_of(const std::string& name, const std::vector<const ResultLine*>
                   key.estimator,
                   key.truth,
                   key.km,
+                  key.noise,
                   lines.size(),
                   {}};
   for (const BenchmarkFigure& figure : figures()) summary.means.push_back(mean_of(figure, jsons));
@@ -85,18 +87,23 @@ Summary summary_of(const std::string& name, const std::vector<const ResultLine*>
 
 }  // namespace
 
-std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by) {
+std::vector<DriveGroup> group_drives(std::span<const ResultLine> lines, GroupBy by) {
   demand_unmixed(lines);
-  using GroupKey = std::tuple<std::string, std::string, std::string, double>;
+  using GroupKey = std::tuple<std::string, std::string, std::string, double, double>;
   std::map<GroupKey, std::size_t> places;
-  std::vector<std::pair<std::string, std::vector<const ResultLine*>>> groups;
+  std::vector<DriveGroup> groups;
   for (const ResultLine& line : lines) {
-    const std::string name = group_name(line.key, by);
-    const auto [place, is_new] =
-        places.try_emplace({name, line.key.estimator, line.key.truth, line.key.km}, groups.size());
+    const std::string name = group_name(line.key, by) + noise_in_name(line.key.noise);
+    const auto [place, is_new] = places.try_emplace(
+        {name, line.key.estimator, line.key.truth, line.key.km, line.key.noise}, groups.size());
     if (is_new) groups.push_back({name, {}});
-    groups[place->second].second.push_back(&line);
+    groups[place->second].lines.push_back(&line);
   }
+  return groups;
+}
+
+std::vector<Summary> summarise(std::span<const ResultLine> lines, GroupBy by) {
+  const std::vector<DriveGroup> groups = group_drives(lines, by);
   std::vector<Summary> summaries;
   const EstimatorRatios ratios(lines);
   for (const auto& [name, members] : groups) {

@@ -14,16 +14,27 @@
 
 namespace lanefuse {
 
-/// What a table has a row for. Estimators, truths and lengths never share one.
+/// What a table has a row for. Estimators, truths, lengths and noises never share one.
 enum class GroupBy { drive_kind, variant, scene, road };
+
+/// Drives that share a row; never none.
+struct DriveGroup {
+  std::string
+      name;  ///< "nominal, gentle, full", or by one thing only: "full"; with ", noise x 2" where it is
+  std::vector<const ResultLine*> lines;
+};
+
+/// Groups in the order in which their first line comes; the lines must outlive them. Throws as summarise().
+std::vector<DriveGroup> group_drives(std::span<const ResultLine> lines, GroupBy by);
 
 /// The drives of one row.
 struct Summary {
-  std::string name;      ///< "nominal, gentle, full"; by one thing only: "full"
+  std::string name;      ///< of its group
   bool nominal = false;  ///< all its drives are of the nominal scene and the full system, as the paper's were
   std::string estimator;
   std::string truth;
-  double km = 0;  ///< a drive
+  double km = 0;     ///< a drive
+  double noise = 1;  ///< sensors err so many times as much as they say
   std::size_t drives = 0;
   std::vector<std::optional<FigureMean>> means;  ///< of figures(), in their order
   std::vector<EstimatorRatio> ratios = {};       ///< where other estimators have driven the same

@@ -13,6 +13,7 @@
 #include "cli/command_line.hpp"
 #include "cli/label_benchmark_command.hpp"
 #include "cli/tracking_benchmark_command.hpp"
+#include "simulation/sensor_noise.hpp"
 
 namespace lanefuse {
 namespace {
@@ -33,6 +34,11 @@ void add_drives(CLI::App& command, BenchmarkOptions& options) {
   command.add_option("--km", choice.km, "length of a drive [km], if not the suite's own")
       ->check(CLI::Range(0.05, 1000.0));
   command.add_option("--variant", choice.variant, listed("all, or only this variant", variant_names()));
+  command
+      .add_option("--noise", choice.noise,
+                  "sensors err so many times as much as the preset, and they themselves, say")
+      ->check(CLI::Range(kNoiseFactors.low, kNoiseFactors.high))
+      ->capture_default_str();
   command.add_flag("--detections", choice.detections,
                    "drive each once more with raw detections in place of the object list, as the variant "
                    "'detections'");
@@ -57,11 +63,13 @@ void add_merge(CLI::App& benchmark, CommandLine& line) {
   finish(command, line, options, merge_results_files);
 }
 
-void add_table(CLI::App& benchmark, CommandLine& line) {
+/// A subcommand that shows drives in rows.
+void add_rows(CLI::App& benchmark, CommandLine& line, const char* name, const char* about,
+              int (*show)(const ResultsTableOptions&)) {
   static const std::map<std::string, GroupBy> groups{
       {"variant", GroupBy::variant}, {"scene", GroupBy::scene}, {"road", GroupBy::road}};
   auto& options = line.make<ResultsTableOptions>();
-  CLI::App& command = *benchmark.add_subcommand("table", "means over drives, with confidence intervals");
+  CLI::App& command = *benchmark.add_subcommand(name, about);
   command.add_option("files", options.files, "the files of results (.jsonl)")->required();
   const auto group = [&options](const std::string& by) { options.by = groups.at(by); };
   command
@@ -69,7 +77,7 @@ void add_table(CLI::App& benchmark, CommandLine& line) {
                                         "one row a variant, scene or road, else one for each of all three")
       ->check(CLI::IsMember(groups));
   command.add_flag("--markdown", options.markdown, "as tables in Markdown");
-  finish(command, line, options, show_results_table);
+  finish(command, line, options, show);
 }
 
 void add_compare(CLI::App& benchmark, CommandLine& line) {
@@ -168,7 +176,9 @@ void add_benchmark(CommandLine& line) {
   add_labels(command, line);
   add_tracking(command, line);
   add_merge(command, line);
-  add_table(command, line);
+  add_rows(command, line, "table", "means over drives, with confidence intervals", show_results_table);
+  add_rows(command, line, "coverage", "whether the stated uncertainty is honest, by lane and distance",
+           show_coverage);
   add_compare(command, line);
   finish(command, line, options, benchmark);
   command.callback([&line, &options, &command, output, list] {

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/comparison.hpp"
+#include "benchmark/coverage.hpp"
 #include "benchmark/results_file.hpp"
 #include "cli/benchmark_text.hpp"
+#include "cli/coverage_text.hpp"
 #include "cli/output_file.hpp"
 #include "core/error.hpp"
 
@@ -48,6 +50,12 @@ std::vector<ResultLine> read_side(const std::filesystem::path& path,
   return lines;
 }
 
+std::vector<ResultLine> read_for_table(const ResultsTableOptions& options) {
+  std::vector<ResultLine> lines = read_merged(options.files);
+  if (lines.empty()) throw configuration_error(options.files.front().string(), "holds no drive");
+  return lines;
+}
+
 }  // namespace
 
 int merge_results_files(const MergeResultsOptions& options) {
@@ -76,13 +84,23 @@ int merge_results_files(const MergeResultsOptions& options) {
 }
 
 int show_results_table(const ResultsTableOptions& options) {
-  const std::vector<ResultLine> lines = read_merged(options.files);
-  if (lines.empty()) throw configuration_error(options.files.front().string(), "holds no drive");
+  const std::vector<ResultLine> lines = read_for_table(options);
   const std::vector<Summary> summaries = summarise(lines, options.by);
   if (options.json) {
     fmt::print("{}\n", to_json(summaries).dump());
   } else {
     fmt::print("{}", to_text(summaries, options.markdown));
+  }
+  return 0;
+}
+
+int show_coverage(const ResultsTableOptions& options) {
+  const std::vector<ResultLine> lines = read_for_table(options);
+  const std::vector<Coverage> coverage = coverage_of(lines, options.by);
+  if (options.json) {
+    fmt::print("{}\n", to_json(coverage).dump());
+  } else {
+    fmt::print("{}", to_text(coverage, options.markdown));
   }
   return 0;
 }

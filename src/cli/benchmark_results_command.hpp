@@ -19,7 +19,8 @@ struct MergeResultsOptions {
   bool force = false;
 };
 
-/// `lanefuse benchmark table FILES`: means over drives.
+/// `lanefuse benchmark table FILES`: means over drives; `coverage FILES`: whether their uncertainty is
+/// honest.
 struct ResultsTableOptions {
   std::vector<std::filesystem::path> files;
   GroupBy by = GroupBy::drive_kind;
@@ -42,6 +43,7 @@ struct CompareResultsOptions {
 
 int merge_results_files(const MergeResultsOptions& options);
 int show_results_table(const ResultsTableOptions& options);
+int show_coverage(const ResultsTableOptions& options);
 int compare_results(const CompareResultsOptions& options);
 
 }  // namespace lanefuse

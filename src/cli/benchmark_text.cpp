@@ -6,52 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "cli/text_grid.hpp"
 #include "evaluation/table_one.hpp"
 
 namespace lanefuse {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Row = std::vector<std::string>;
+using Row = TextRow;
 
 /// What the paper's Table I says of an RMSE among figures().
 double paper_rmse(std::size_t figure) {
   const PaperRow& row = kTableOne[figure % kShownDistances];
   return figure < kShownDistances ? row.ego.rmse : row.adjacent.rmse;
-}
-
-/// Of UTF-8 text: "±" is one letter and two bytes.
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string laid_out(const Row& row, const std::vector<std::size_t>& widths, bool markdown) {
-  std::string line = markdown ? "|" : "";
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const auto width = markdown ? 0 : widths[i];
-    const std::string cell =
-        i == 0 ? fmt::format("{:<{}}", row[i], width) : fmt::format("{:>{}}", row[i], width);
-    line += markdown ? fmt::format(" {} |", cell) : fmt::format("{}{}", i == 0 ? "" : "  ", cell);
-  }
-  return line + "\n";
-}
-
-/// Columns under a head, aligned for a terminal or as Markdown.
-std::string grid(const std::vector<Row>& rows, bool markdown) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters(row[i]));
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    text += laid_out(row, widths, markdown);
-    if (markdown && &row == &rows.front()) {
-      for (std::size_t i = 0; i < row.size(); ++i) text += "|---";
-      text += "|\n";
-    }
-  }
-  return text;
 }
 
 std::string cell(const std::optional<FigureMean>& mean, int digits, double factor = 1) {
@@ -106,7 +73,7 @@ std::string rmse_table(const std::vector<Summary>& summaries, bool markdown) {
   if (nominal) {
     for (const bool adjacent : {false, true}) rows.push_back(paper_row(adjacent));
   }
-  return grid(rows, markdown);
+  return text_grid(rows, markdown);
 }
 
 std::string other_table(const std::vector<Summary>& summaries, bool markdown) {
@@ -117,7 +84,7 @@ std::string other_table(const std::vector<Summary>& summaries, bool markdown) {
                     cell(s.means[kFalseLanes], 4), cell(s.means[kWrongLane], 4),
                     cell(s.means[kCycleMedian], 2), cell(s.means[kCycleSlow], 2)});
   }
-  return grid(rows, markdown);
+  return text_grid(rows, markdown);
 }
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
@@ -155,11 +122,8 @@ std::string to_text(const std::vector<Summary>& summaries, bool markdown) {
 Json to_json(const std::vector<Summary>& summaries) {
   Json list = Json::array();
   for (const Summary& summary : summaries) {
-    Json row{{"name", summary.name},
-             {"estimator", summary.estimator},
-             {"truth", summary.truth},
-             {"km", summary.km},
-             {"drives", summary.drives}};
+    Json row{{"name", summary.name}, {"estimator", summary.estimator}, {"truth", summary.truth},
+             {"km", summary.km},     {"noise", summary.noise},         {"drives", summary.drives}};
     Json& means = row["figures"] = Json::array();
     for (std::size_t i = 0; i < summary.means.size(); ++i) {
       Json entry{{"figure", figures()[i].name}, {"unit", figures()[i].unit}};
@@ -194,7 +158,7 @@ std::string to_text(const Comparison& comparison) {
   return fmt::format(
       "{}\n{}\nchance: probability of so large a difference where there is none, corrected for {} "
       "figures (Holm); below {} counts\n",
-      text, grid(rows, false), comparison.figures.size(), kSignificance);
+      text, text_grid(rows, false), comparison.figures.size(), kSignificance);
 }
 
 Json to_json(const Comparison& comparison) {

@@ -59,6 +59,26 @@ std::string rates(const EvaluationResult& result) {
       number(mean_normalised_square(result.consistency), 2));
 }
 
+std::string shares(const ConsistencyStatistics& s) {
+  const auto percent = [](double share) { return number(100 * share, 1); };
+  return fmt::format("{:>6} {:>5} {:>5} {:>5} {:>5} {:>6} {:>7}", number(s.stated_sigma_m, 2),
+                     number(s.mean_normalised_square, 2), percent(s.within_68), percent(s.within_95),
+                     percent(s.within_99), number(s.protection_m, 2), number(100 * s.misleading_rate, 3));
+}
+
+/// Whether the stated uncertainty is honest, beside the RMSE that it speaks of.
+std::string uncertainty_table(const LaneConsistency& consistency) {
+  constexpr const char* kShares = " sigma  NEES  68 %  95 %  99 %  bound  beyond";
+  std::string text =
+      fmt::format("\n{:8} | {:45} | {}\n", "", "stated: ego lane [m], shares [%]", "adjacent lanes");
+  text += fmt::format("{:>8} | {} | {}\n", "distance", kShares, kShares);
+  for (std::size_t i = 0; i < consistency.ego.size(); i += 2) {
+    text += fmt::format("{:6.0f} m | {} | {}\n", consistency.ego[i].distance_m, shares(consistency.ego[i]),
+                        shares(consistency.adjacent[i]));
+  }
+  return text;
+}
+
 std::string camera_table(const SerialCameraStatistics& camera) {
   std::string text =
       fmt::format("\n{:8} | {:34} | within its range [m]\n", "", "serial camera, extrapolated [m]");
@@ -86,6 +106,7 @@ std::string path_table(const EvaluationResult& result) {
 std::string to_table(const EvaluationResult& result) {
   if (result.baselines) return heading(result) + path_table(result);
   std::string text = heading(result) + road_table(result) + rates(result);
+  text += uncertainty_table(result.consistency);
   if (result.serial_camera) text += camera_table(*result.serial_camera);
   if (result.tracking) text += fmt::format("\n{}", to_text({{"vehicles tracked", *result.tracking}}));
   return text;

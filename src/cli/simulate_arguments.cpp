@@ -3,6 +3,7 @@
 #include "cli/command_line.hpp"
 #include "cli/replay_command.hpp"
 #include "cli/simulate_command.hpp"
+#include "simulation/sensor_noise.hpp"
 
 namespace lanefuse {
 namespace {
@@ -24,7 +25,7 @@ void add_replay(CLI::App& command, ReplayOptions& replay) {
                                          "replay the traffic recorded in a CommonRoad scenario (.xml)");
   for (const char* other :
        {"--km", "--road", "--scenario", "--map", "--write-map", "--list-scenarios", "--traffic", "--gnss-ins",
-        "--road-seed", "--lane", "--ego-lane-changes", "--images", "--no-serial-camera",
+        "--road-seed", "--lane", "--ego-lane-changes", "--images", "--noise", "--no-serial-camera",
         "--no-high-resolution-camera", "--no-objects"}) {
     file->excludes(command.get_option(other));
   }
@@ -102,6 +103,12 @@ void add_simulate(CommandLine& line) {
           "--images", [&config](const std::string& word) { config.images = image_conditions(word); },
           "let the cameras hand over rendered images, under these conditions")
       ->check(CLI::IsMember({"clear", "low-sun", "wet", "night"}));
+  command
+      .add_option("--noise", config.noise,
+                  "sensors err so many times as much as the preset, and they themselves, say")
+      ->check(CLI::Range(kNoiseFactors.low, kNoiseFactors.high))
+      ->excludes(command.get_option("--images"))
+      ->capture_default_str();
   leave_out("--no-serial-camera", config.serial_camera, "serial camera");
   leave_out("--no-high-resolution-camera", config.high_resolution_camera, "high-resolution camera");
   leave_out("--no-objects", config.objects, "object lists, or what stands in for them");

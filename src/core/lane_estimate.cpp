@@ -46,6 +46,14 @@ double sigma_at(const Boundary& boundary, double x) {
   return found ? sigma : clothoid_sigma(boundary, x);
 }
 
+double protection_at(const Boundary& boundary, double x) {
+  double protection = 0;
+  at_points(boundary, x, [&protection](const BoundaryPoint& a, const BoundaryPoint& b, double f) {
+    if (a.protection > 0 && b.protection > 0) protection = a.protection + f * (b.protection - a.protection);
+  });
+  return protection;
+}
+
 const Boundary* find_boundary(const LaneEstimate& estimate, std::uint64_t id) {
   const auto found = std::find_if(estimate.boundaries.begin(), estimate.boundaries.end(),
                                   [id](const Boundary& boundary) { return boundary.id == id; });

@@ -47,6 +47,9 @@ struct Boundary {
 double lateral_at(const Boundary& boundary, double x);
 /// The lateral sigma there: between the points, else the clothoid's.
 double sigma_at(const Boundary& boundary, double x);
+/// The protection level there, between the points. 0, nothing vouched for, beyond them and beside a point
+/// that has none.
+double protection_at(const Boundary& boundary, double x);
 
 /// A lane's middle at one distance, halfway between its boundaries along y.
 struct LanePoint {

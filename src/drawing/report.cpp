@@ -40,10 +40,10 @@ std::string write_report(const Report& report) {
          escape_xml(title_of(report)) + "</title>\n<style>" + report_css() +
          "</style>\n</head>\n<body>\n<main>\n" + report_header(report) + report_figures(report) +
          paper_section(report.evaluation) + "<h2>By distance</h2>\n" + charts(report) +
-         deviation_table(report.evaluation) + report_glossary(report.evaluation) +
-         camera_section(report.evaluation) + traffic_section(report.evaluation) +
-         tracking_section(report.evaluation) + map_section(report) + moments(report) +
-         "</main>\n</body>\n</html>\n";
+         deviation_table(report.evaluation) + uncertainty_table(report.evaluation) +
+         report_glossary(report.evaluation) + camera_section(report.evaluation) +
+         traffic_section(report.evaluation) + tracking_section(report.evaluation) + map_section(report) +
+         moments(report) + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace lanefuse

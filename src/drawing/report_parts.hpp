@@ -28,6 +28,8 @@ std::string tracking_section(const EvaluationResult& result);
 std::string map_section(const Report& report);
 /// Table I's columns and more, by distance.
 std::string deviation_table(const EvaluationResult& result);
+/// What the estimate says of its own error, by distance; empty where the truth is no road.
+std::string uncertainty_table(const EvaluationResult& result);
 /// What the words in the tables mean.
 std::string report_glossary(const EvaluationResult& result);
 

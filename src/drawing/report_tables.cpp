@@ -19,6 +19,15 @@ Row lane_cells(const DeviationStatistics& at) {
 
 const Row kLaneHeadings{"mean", "sigma", "RMSE", "p95", "available", "n"};
 
+const Row kUncertaintyHeadings{"sigma [m]", "in 68 %", "in 95 %", "in 99 %", "bound [m]", "beyond [%]"};
+
+Row uncertainty_cells(const ConsistencyStatistics& at) {
+  return {
+      metres(at.stated_sigma_m), percent(at.within_68),
+      percent(at.within_95),     percent(at.within_99),
+      metres(at.protection_m),   at.n_protected == 0 ? "-" : fmt::format("{:.3f}", 100 * at.misleading_rate)};
+}
+
 std::string exact_table(const EvaluationResult& result) {
   HtmlTable table;
   table.group_headings({{"", 1}, {"ego lane [m]", 7}, {"adjacent lanes [m]", 7}});
@@ -72,6 +81,23 @@ std::string deviation_table(const EvaluationResult& result) {
   return result.baselines ? ego_path_table(result) : exact_table(result);
 }
 
+std::string uncertainty_table(const EvaluationResult& result) {
+  const LaneConsistency& consistency = result.consistency;
+  if (consistency.ego.empty()) return "";
+  HtmlTable table;
+  table.group_headings({{"", 1}, {"what the ego lane states", 6}, {"what adjacent lanes state", 6}});
+  Row headings{"distance [m]"};
+  for (int lane = 0; lane < 2; ++lane) append(headings, kUncertaintyHeadings);
+  table.headings(headings);
+  for (std::size_t i = 0; i < consistency.ego.size() && i < consistency.adjacent.size(); ++i) {
+    Row row{fmt::format("{:.0f}", consistency.ego[i].distance_m)};
+    append(row, uncertainty_cells(consistency.ego[i]));
+    append(row, uncertainty_cells(consistency.adjacent[i]));
+    table.row(row);
+  }
+  return table.html();
+}
+
 std::string report_glossary(const EvaluationResult& result) {
   std::string html =
       "<p class=\"glossary\"><b>Deviation</b> is estimate minus truth, positive to the left, measured across "
@@ -94,7 +120,10 @@ std::string report_glossary(const EvaluationResult& result) {
                 "are the outer boundaries "
                 "of its neighbours, where those lanes exist. <b>NEES</b> is the mean of "
                 "(deviation / stated sigma)&#178;: 1 "
-                "is honest, above is overconfident. A boundary is <b>false</b> when it is more "
+                "is honest, above is overconfident. <b>In 68 %</b> is the share of the deviations inside "
+                "the interval that should hold 68 % of them, were they normal with the stated sigma. "
+                "<b>Bound</b> is the protection level, which the error is promised to stay inside, "
+                "<b>beyond</b> the share that did not. A boundary is <b>false</b> when it is more "
                 "than 1 m from every true "
                 "one; a lane is false when its middle is in no true one, or a true boundary runs inside it.";
   return html + "</p>\n";

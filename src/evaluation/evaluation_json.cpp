@@ -48,7 +48,11 @@ Json consistency(const std::vector<ConsistencyStatistics>& all) {
                 {"n", s.n},
                 {"within_68", number(s.within_68)},
                 {"within_95", number(s.within_95)},
-                {"within_99", number(s.within_99)}};
+                {"within_99", number(s.within_99)},
+                {"stated_sigma_m", number(s.stated_sigma_m)},
+                {"protection_m", number(s.protection_m)},
+                {"misleading_rate", number(s.misleading_rate)},
+                {"n_protected", s.n_protected}};
   });
 }
 

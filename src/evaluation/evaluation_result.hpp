@@ -15,7 +15,8 @@
 namespace lanefuse {
 
 /// Whether the estimate's own sigma fits its deviations: the mean of (deviation / sigma)^2. 1 is honest,
-/// above is overconfident, below is timid.
+/// above is overconfident, below is timid. And whether the protection levels, the bounds that it vouches for,
+/// hold.
 struct ConsistencyStatistics {
   double distance_m = 0;
   double mean_normalised_square = 0;  ///< NaN where n is 0
@@ -25,6 +26,12 @@ struct ConsistencyStatistics {
   double within_68 = 0;
   double within_95 = 0;
   double within_99 = 0;
+  double stated_sigma_m = 0;  ///< mean of the stated sigmas; NaN where n is 0
+  /// Mean of the protection levels, and the share of the deviations beyond their own; NaN where n_protected
+  /// is 0.
+  double protection_m = 0;
+  double misleading_rate = 0;
+  std::uint64_t n_protected = 0;  ///< deviations that came with a protection level
 };
 
 /// How often the estimate reached a distance, of the cycles that are asked about.

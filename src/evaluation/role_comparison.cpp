@@ -17,10 +17,11 @@ std::vector<RoleDeviation> compare(const EstimatedRoles& estimated, const TrueRo
     for (std::size_t i = 0; i < kDistanceCount; ++i) {
       const double x = distance_at(i);
       if (!truth[role].y(x)) continue;
-      RoleDeviation one{static_cast<LaneRole>(role), i, std::nullopt, 0};
+      RoleDeviation one{static_cast<LaneRole>(role), i, std::nullopt, 0, 0};
       if (const Boundary* boundary = estimated[role]; boundary && reaches(*boundary, x)) {
         one.deviation = truth[role].deviation({x, lateral_at(*boundary, x)});
         one.sigma = sigma_at(*boundary, x);
+        one.protection = protection_at(*boundary, x);
       }
       result.push_back(one);
     }

@@ -15,6 +15,7 @@ struct RoleDeviation {
   std::size_t distance_index = 0;
   std::optional<double> deviation;  ///< [m]; nothing where the estimate does not reach
   double sigma = 0;                 ///< [m] stated by the estimate; 0 where it states none
+  double protection = 0;            ///< [m] the bound it vouches for; 0 where it vouches for none
 };
 
 /// Compares the estimate's roles with the true ones at every distance, to be counted under every condition
@@ -34,12 +35,14 @@ class RoleDeviations {
   DeviationByDistance adjacent_;
 };
 
-/// Whether the sigmas fit, by role and distance.
+/// Whether the sigmas fit and the protection levels hold, by role and distance.
 class RoleConsistency {
  public:
   void add(const RoleDeviation& one) {
-    if (one.deviation)
-      (is_ego(one.role) ? ego_ : adjacent_).add(one.distance_index, *one.deviation, one.sigma);
+    if (!one.deviation) return;
+    ConsistencyByDistance& lane = is_ego(one.role) ? ego_ : adjacent_;
+    lane.add(one.distance_index, *one.deviation, one.sigma);
+    lane.add_protection(one.distance_index, *one.deviation, one.protection);
   }
   [[nodiscard]] LaneConsistency statistics() const { return {ego_.statistics(), adjacent_.statistics()}; }
 

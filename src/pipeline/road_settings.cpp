@@ -23,6 +23,8 @@ void add_course(const Section& s, RoadCourseConfig& c) {
         "change of the road's curvature over 20 m, at least");
   s.add("curvature_step_max", c.curvature_step_max, kSigma, "1/m",
         "and at most, where the road behind was that restless");
+  s.add("churn", c.churn, {0.0, 10.0}, "",
+        "share of that change by which 20 m driven make the course uncertain");
   s.add("habit", c.habit_m, {20.0, 100000.0}, "m", "of road behind that say how restless it is");
   s.add("first_curvature", c.first_curvature, kSigma, "1/m", "of the road before anything is known");
   s.add("first_heading_deg", c.first_heading_deg, kDegrees, "deg",
@@ -33,6 +35,7 @@ void add_course(const Section& s, RoadCourseConfig& c) {
 void add_motion(const Section& s, RoadMotionConfig& c) {
   s.add("heading_deg", c.heading_deg, kDegrees, "deg/sqrt(s)", "by which the dead reckoning turns away");
   s.add("slip", c.slip, kSigma, "m/sqrt(m)", "by which it goes aside");
+  s.add("speed_scale", c.speed_scale, kSigma, "", "relative error of its speed");
   s.add("yaw_rate_bias_deg", c.yaw_rate_bias_deg, kDegrees, "deg/s", "left in its yaw rate");
   s.add("yaw_rate_drift_deg", c.yaw_rate_drift_deg, {0.0, 1.0}, "deg/s/sqrt(s)", "by which that changes");
 }
@@ -67,6 +70,9 @@ void add_road_settings(const Section& s, RoadConfig& c) {
   vehicles.add("misalignment_deg", c.vehicles.misalignment_deg, kDegrees, "deg", "that all tracks share");
   s.add("range_max", c.range_max, {10.0, 500.0}, "m", "no boundary speaks further");
   s.add("sigma_max", c.sigma_max, {0.05, 100.0}, "m", "nor where its lateral sigma exceeds this");
+  s.add("usual_surprise", c.usual_surprise, {0.01, 100.0}, "",
+        "mean square of innovations over their variances where noise is as assumed");
+  s.add("sigma_scale", c.sigma_scale, {0.1, 10.0}, "", "on the sigmas that are told");
   s.add("protection", c.protection, {1.0, 100.0}, "", "sigmas of the protection level");
 }
 

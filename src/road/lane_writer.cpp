@@ -72,14 +72,15 @@ void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boun
   double x = 0;
   Eigen::Vector2d before = Eigen::Vector2d::Zero();
   double sigma_before = 0;
-  double sigma = std::sqrt(state.variance(line, 0));
+  double sigma = config_.sigma_scale * std::sqrt(state.variance(line, 0));
   double sigma_after = sigma;
   double sigma_at = -kSigmaStep;
   for (double station = -10; station <= RoadAxis::kEnd - kStep; station += kStep) {
     if (station >= 0 && station >= sigma_at + kSigmaStep) {
       sigma_at = station;
       sigma_before = sigma_after;
-      sigma_after = std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
+      sigma_after =
+          config_.sigma_scale * std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
       if (station == 0) sigma_before = sigma;
     }
     const RoadAxis::Place place = axis.at(station);
@@ -135,7 +136,8 @@ void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boun
     }
   }
   const Eigen::Matrix4d inverse = vandermonde.inverse();
-  const Eigen::Matrix4d covariance = inverse * places * inverse.transpose();
+  const Eigen::Matrix4d covariance =
+      config_.sigma_scale * config_.sigma_scale * inverse * places * inverse.transpose();
   boundary.covariance = (covariance + covariance.transpose()) / 2;
 }
 

@@ -8,7 +8,7 @@
 namespace lanefuse {
 namespace {
 
-constexpr double kReach = 60;         ///< [m] paint further away founds no line
+constexpr double kReach = 100;        ///< [m] paint further away founds no line
 constexpr double kFirstReach = 35;    ///< [m] the same while no line is known
 constexpr double kFarAside = 14;      ///< [m]
 constexpr double kSame = 0.4;         ///< [m] of one candidate

@@ -13,7 +13,13 @@ namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
-constexpr double kAmbiguous = 0.6;   ///< [m] sigma of where the lines are
+constexpr double kAmbiguous = 0.6;    ///< [m] sigma of where the lines are
+constexpr double kRestless = 2.5e-4;  ///< [1/m] over one knot spacing: on calmer roads it does not happen
+constexpr double kBeyond = 1.5;       ///< [m] beyond the outermost line: too far to be on it
+constexpr double kNextLane = 5;       ///< [m] beyond it: a lane further
+constexpr double kNear = 40;          ///< [m] ahead, where lines are put in order
+constexpr std::size_t kFewInBand = 3;
+constexpr int kUnexplainedFrames = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
 constexpr double kMostRepeats = 20;
@@ -47,9 +53,15 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   find_yellow();
   next_ = 0;
   used_ = 0;
-  for (std::size_t b = 0; b + 1 < kBands.size(); ++b) {
-    take_band(kBands[b], kBands[b + 1], now_from_measured, state);
+  bool explained = true;
+  for (std::size_t b = 0; b + 1 < kBands.size() && explained; ++b) {
+    explained = take_band(kBands[b], kBands[b + 1], now_from_measured, state);
+    if (explained) continue;
+    if (++unexplained_ < kUnexplainedFrames) break;
+    unexplained_ = 0;
+    state.free_course(kBands[b] - kFreedBefore);
   }
+  if (explained) unexplained_ = 0;
   let_go(state);
   return used_;
 }
@@ -113,9 +125,10 @@ void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_mea
   }
 }
 
-void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {
+/// Gives whether the lines explain what was seen: else it is the road that goes otherwise than was believed.
+bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state) {
   while (next_ < by_range_.size() && by_range_[next_]->x < begin) ++next_;
-  if (next_ == by_range_.size() || by_range_[next_]->x >= end) return;
+  if (next_ == by_range_.size() || by_range_[next_]->x >= end) return true;
   state.rebuild_axis();
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
@@ -131,23 +144,54 @@ void PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   const bool labelled = config_.association == RoadAssociation::labelled;
   const bool ambiguous =
       !labelled && !gates_.empty() && *std::min_element(gates_.begin(), gates_.end()) > kAmbiguous;
+  const std::size_t strays = strays_.size();
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
     if (ambiguous || is_void(*by_range_[next_])) continue;
     give(*by_range_[next_], now_from_measured, state);
   }
+  if (!labelled && !is_explained(strays, state)) return false;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     near_[i].on += given_[i].size();
     // What few features there are where a line has no paint are of something else.
     if (given_[i].empty() || (!labelled && state.lines()[i].density < kPainted)) continue;
     used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
   }
+  return true;
+}
+
+/// Whether the lines may be what the band shows. Where all of them are taken for their neighbours, all but
+/// one find paint; that one finds none, and there is paint a lane beyond the other side: then none of it is
+/// believed.
+bool PaintUpdate::is_explained(std::size_t first_stray, const RoadState& state) {
+  const auto& lines = state.lines();
+  if (lines.size() < 3 || state.usual_step() < kRestless) return true;
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (state.offset(lines[i], kNear) > state.offset(lines[left], kNear)) left = i;
+    if (state.offset(lines[i], kNear) < state.offset(lines[right], kNear)) right = i;
+  }
+  std::size_t beyond_left = 0;
+  std::size_t beyond_right = 0;
+  for (std::size_t i = first_stray; i < strays_.size(); ++i) {
+    const StrayPaint& stray = strays_[i];
+    const double from_left = stray.lateral - state.offset(lines[left], stray.station);
+    const double from_right = state.offset(lines[right], stray.station) - stray.lateral;
+    if (from_left > kBeyond && from_left < kNextLane) ++beyond_left;
+    if (from_right > kBeyond && from_right < kNextLane) ++beyond_right;
+  }
+  const bool aside = (beyond_left >= kFewInBand && given_[right].empty()) ||
+                     (beyond_right >= kFewInBand && given_[left].empty());
+  if (!aside) return true;
+  strays_.resize(first_stray);
+  return false;
 }
 
 void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state) {
   const SeenPaint paint = corrected({feature.x, feature.y}, now_from_measured, state);
   const RoadAxis::Foot foot = state.axis().project(paint.point);
   const Eigen::Vector2d normal = rotation(-now_from_measured.heading) * foot.place.normal();
-  const double variance = own_variance(feature, normal, config_.camera);
+  const double variance = square(state.noise_scale()) * own_variance(feature, normal, config_.camera);
   const bool labelled = config_.association == RoadAssociation::labelled;
   std::size_t nearest = state.lines().size();
   double least = 1e9;
@@ -216,10 +260,9 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   residual /= weights;
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
   const double noise = repeats_ / weights;
-  if (config_.association == RoadAssociation::gated &&
-      square(residual) > square(kRefusedSigmas) * (state.numbers().variance(row) + noise)) {
-    return 0;
-  }
+  const double surprise = square(residual) / (state.numbers().variance(row) + noise);
+  if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas)) return 0;
+  state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
   state.numbers().update(row, -residual, noise);
   line.paint = static_cast<std::uint16_t>(line.paint + count);
   return count;

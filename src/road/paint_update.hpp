@@ -43,7 +43,7 @@ class PaintUpdate {
     const Feature* feature = nullptr;
   };
 
-  void take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
+  bool take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
   void give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state);
   std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
                         RoadState& state);
@@ -54,6 +54,7 @@ class PaintUpdate {
   std::vector<const Feature*> by_range_;
   std::size_t next_ = 0;
   std::size_t used_ = 0;
+  int unexplained_ = 0;  ///< frames in a row with a band that the lines do not explain
   double repeats_ = 1;
   /// What a line has in this band.
   struct Near {
@@ -62,6 +63,7 @@ class PaintUpdate {
     std::size_t right = 0;  ///< and on its right
     double from = 1e9;      ///< [m] the first of them
   };
+  [[nodiscard]] bool is_explained(std::size_t first_stray, const RoadState& state);
   void let_go(RoadState& state);
   void find_yellow();
   [[nodiscard]] bool is_void(const Feature& feature) const;

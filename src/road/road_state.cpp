@@ -10,8 +10,12 @@ namespace lanefuse {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kStanding = 0.05;  ///< [m/s] slower, the car stands
-constexpr double kBehind = 15;      ///< [m] of road that stays known behind the car
+constexpr double kStanding = 0.05;        ///< [m/s] slower, the car stands
+constexpr double kFirstMemory = 400;      ///< innovations for which what was assumed counts
+constexpr double kSurpriseMemory = 5000;  ///< innovations
+constexpr double kLeastScale = 0.3;
+constexpr double kMostScale = 5;
+constexpr double kBehind = 15;  ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -26,6 +30,8 @@ void RoadState::clear() {
   first_knot_ = -RoadAxis::kKnotSpacing;
   first_offset_ = -kOffsetSpacing;
   driven_ = 0;
+  noise_scale_ = 1;
+  innovations_ = 0;
   restlessness_ = square(config_.course.curvature_step);
   const CameraErrorsConfig& camera = config_.camera;
   numbers_.append(0, square(config_.course.first_heading_deg * kDegree));
@@ -35,6 +41,7 @@ void RoadState::clear() {
   numbers_.append(0, square(camera.pitch_deg.sigma * kDegree / camera.height));
   numbers_.append(0, square(config_.tracked_lane.yaw_deg.sigma * kDegree));
   numbers_.append(0, square(config_.vehicles.misalignment_deg * kDegree));
+  numbers_.append(0, square(config_.motion.speed_scale));
   numbers_.append(0, square(config_.course.first_curvature));
   for (int k = 1; k < RoadAxis::kKnots; ++k) {
     SparseRow before;
@@ -82,7 +89,8 @@ bool RoadState::stand(const Pose2& before_from_now, double seconds) {
 void RoadState::drive(const Pose2& before_from_now, double seconds) {
   if (stand(before_from_now, seconds)) return;
   const double heading = numbers_.mean(kHeading);
-  const Eigen::Vector2d way = rotation(heading) * before_from_now.position();
+  const Eigen::Vector2d way =
+      rotation(heading) * before_from_now.position() * (1 + numbers_.mean(kSpeedScale));
   const KnotWeights near = knot_weights(way.x() / 2, first_knot_, RoadAxis::kKnotSpacing, RoadAxis::kKnots);
   const double curvature = near.of_first * numbers_.mean(kCurvatures + near.first) +
                            near.of_second * numbers_.mean(kCurvatures + near.first + 1);
@@ -97,18 +105,35 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
   if (!lines_.empty()) {
     const int count = static_cast<int>(lines_.size()) * kOffsets;
     numbers_.transform(kFixedNumbers, count, shift, -aside);
-    numbers_.add_shared_noise(kFixedNumbers, count, square(config_.motion.slip) * std::abs(along));
+    numbers_.add_shared_noise(kFixedNumbers, count,
+                              square(noise_scale_ * config_.motion.slip) * std::abs(along));
   }
   SparseRow turn;
   turn.add(kYawRateError, -seconds);
+  turn.add(kSpeedScale, -along * curvature);
   turn.add(kCurvatures + near.first, -along * near.of_first);
   turn.add(kCurvatures + near.first + 1, -along * near.of_second);
   const double turned = before_from_now.heading - seconds * numbers_.mean(kYawRateError) - along * curvature;
   numbers_.transform(kHeading, 1, turn, turned);
-  numbers_.add_noise(kHeading, square(config_.motion.heading_deg * kDegree) * seconds);
+  numbers_.add_noise(kHeading, square(noise_scale_ * config_.motion.heading_deg * kDegree) * seconds);
   for (int k = kCurvatures; k < kCrests; ++k) {
     const double c = numbers_.mean(k);
     numbers_.set_mean(k, c / (1 - c * aside));
+  }
+  // Between its knots the road bends otherwise than straight lines between them say, the more so the more it
+  // bends.
+  const double churn =
+      square(config_.course.churn) * restlessness_ * std::abs(along) / RoadAxis::kKnotSpacing;
+  for (int k = kCurvatures; k < kCrests; ++k) numbers_.add_noise(k, churn);
+  // Who has gone further than it seems is further along a road that bends more and more.
+  for (int k = 0; k < RoadAxis::kKnots; ++k) {
+    const int before = kCurvatures + std::max(0, k - 1);
+    const int after = kCurvatures + std::min(RoadAxis::kKnots - 1, k + 1);
+    const double rate =
+        (numbers_.mean(after) - numbers_.mean(before)) / (RoadAxis::kKnotSpacing * (after - before));
+    SparseRow further;
+    further.add(kSpeedScale, rate * along);
+    numbers_.transform(kCurvatures + k, 1, further, 0);
   }
   for (RoadLine& line : lines_) line.begin -= along;
   first_knot_ -= along;
@@ -120,7 +145,9 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
 }
 
 void RoadState::decay_errors(double seconds) {
-  const auto wander = [&](int i, double keep, double sigma) { numbers_.decay(i, keep, sigma); };
+  const auto wander = [&](int i, double keep, double sigma) {
+    numbers_.decay(i, keep, noise_scale_ * sigma);
+  };
   const CameraErrorsConfig& camera = config_.camera;
   wander(kPaintYaw, std::exp(-seconds / camera.yaw_deg.tau), camera.yaw_deg.sigma * kDegree);
   wander(kPaintLean, std::exp(-seconds / camera.lean_deg.tau), camera.lean_deg.sigma * kDegree);
@@ -130,9 +157,14 @@ void RoadState::decay_errors(double seconds) {
   wander(kTrackedYaw, std::exp(-seconds / tracked.tau), tracked.sigma * kDegree);
   const WanderingError& driver = config_.vehicles.driver;
   for (const RoadVehicle& vehicle : vehicles_) {
-    wander(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
+    if (vehicle.in_lane) {
+      numbers_.decay(vehicle.index, std::exp(-seconds / driver.tau), driver.sigma);
+    } else {
+      numbers_.add_noise(vehicle.index, 2 * seconds / driver.tau * square(driver.sigma));
+    }
   }
-  numbers_.add_noise(kYawRateError, square(config_.motion.yaw_rate_drift_deg * kDegree) * seconds);
+  numbers_.add_noise(kYawRateError,
+                     square(noise_scale_ * config_.motion.yaw_rate_drift_deg * kDegree) * seconds);
 }
 
 void RoadState::move_knots() {
@@ -140,11 +172,9 @@ void RoadState::move_knots() {
   while (first_knot_ + RoadAxis::kKnotSpacing < -kBehind) {
     const double step = numbers_.mean(kCurvatures + 1) - numbers_.mean(kCurvatures);
     restlessness_ += RoadAxis::kKnotSpacing / course.habit_m * (square(step) - restlessness_);
-    const double sigma =
-        std::clamp(std::sqrt(restlessness_), course.curvature_step, course.curvature_step_max);
     SparseRow before;
     before.add(kCrests - 2, 1);
-    numbers_.shift(kCurvatures, RoadAxis::kKnots, before, square(sigma));
+    numbers_.shift(kCurvatures, RoadAxis::kKnots, before, square(usual_step()));
     first_knot_ += RoadAxis::kKnotSpacing;
   }
   while (first_offset_ + kOffsetSpacing < -kBehind) {
@@ -203,6 +233,26 @@ void RoadState::remove_line(std::size_t line) {
   for (RoadVehicle& vehicle : vehicles_) vehicle.index -= kOffsets;
 }
 
+/// Sensors whose noise is not as their makers say are told from what they measure: innovations that are
+/// larger, or smaller, than their variances allow.
+void RoadState::note_surprise(double surprise) {
+  const double memory = std::min(kSurpriseMemory, kFirstMemory + innovations_++);
+  const double change = 1 + (surprise / config_.usual_surprise - 1) / memory;
+  noise_scale_ = std::clamp(noise_scale_ * std::sqrt(change), kLeastScale, kMostScale);
+}
+
+double RoadState::usual_step() const {
+  return std::clamp(std::sqrt(restlessness_), config_.course.curvature_step,
+                    config_.course.curvature_step_max);
+}
+
+void RoadState::free_course(double station) {
+  for (int k = 0; k < RoadAxis::kKnots; ++k) {
+    if (first_knot_ + k * RoadAxis::kKnotSpacing < station) continue;
+    numbers_.add_noise(kCurvatures + k, square(config_.course.curvature_step_max));
+  }
+}
+
 void RoadState::free_line(const RoadLine& line, double station, double sigma) {
   for (int k = 0; k < kOffsets; ++k) {
     if (first_offset_ + k * kOffsetSpacing < station) continue;
@@ -216,6 +266,15 @@ RoadVehicle* RoadState::add_vehicle(std::int64_t track_id) {
   vehicle.track_id = track_id;
   vehicle.index = numbers_.append(0, square(config_.vehicles.driver.sigma));
   return &vehicle;
+}
+
+RoadVehicle* RoadState::add_stranger(std::int64_t track_id, double aside, double sigma) {
+  RoadVehicle* vehicle = add_vehicle(track_id);
+  if (!vehicle) return nullptr;
+  vehicle->in_lane = false;
+  numbers_.set_mean(vehicle->index, aside);
+  numbers_.add_noise(vehicle->index, square(sigma));
+  return vehicle;
 }
 
 void RoadState::remove_vehicle(std::size_t vehicle) {

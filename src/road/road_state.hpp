@@ -40,20 +40,22 @@ struct RoadVehicle {
   int index = 0;
   std::uint64_t left = 0;  ///< lines of its lane
   std::uint64_t right = 0;
+  bool in_lane = true;  ///< else nobody knows its lane, and both lines are the one that it is compared with
   Time seen{};
   double surprise = 0;  ///< squared, against what was expected, smoothed
 };
 
 /// What the state's numbers from the second on are.
 enum RoadNumber : int {
-  kHeading = 0,                              ///< [rad] of the car along the axis
-  kYawRateError = 1,                         ///< [rad/s] by which the dead reckoning turns too fast
-  kPaintYaw = 2,                             ///< [rad] of the marking camera's mounting
-  kPaintLean = 3,                            ///< [rad] by which its latest frame leans beyond that
-  kPaintPitch = 4,                           ///< [1/m] pitch of its latest frame over its height
-  kTrackedYaw = 5,                           ///< [rad] of the lane-tracking camera's mounting
-  kVehicleYaw = 6,                           ///< [rad] of all vehicles' bearings
-  kCurvatures = 7,                           ///< [1/m] RoadAxis::kKnots of them
+  kHeading = 0,       ///< [rad] of the car along the axis
+  kYawRateError = 1,  ///< [rad/s] by which the dead reckoning turns too fast
+  kPaintYaw = 2,      ///< [rad] of the marking camera's mounting
+  kPaintLean = 3,     ///< [rad] by which its latest frame leans beyond that
+  kPaintPitch = 4,    ///< [1/m] pitch of its latest frame over its height
+  kTrackedYaw = 5,    ///< [rad] of the lane-tracking camera's mounting
+  kVehicleYaw = 6,    ///< [rad] of all vehicles' bearings
+  kSpeedScale = 7,    ///< share by which the car goes further than its dead reckoning says
+  kCurvatures = 8,    ///< [1/m] RoadAxis::kKnots of them
   kCrests = kCurvatures + RoadAxis::kKnots,  ///< [1/m^2] vertical curvatures over the camera's height
   kFixedNumbers = kCrests + 6
 };
@@ -97,7 +99,19 @@ class RoadState {
   RoadLine* add_line_beside(std::uint64_t known, double distance, double sigma);
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
+  /// A vehicle in nobody knows which lane: where it is says nothing, how it moves does.
+  RoadVehicle* add_stranger(std::int64_t track_id, double aside, double sigma);
   void remove_vehicle(std::size_t vehicle);
+  /// By how much sensors err more than was assumed, as innovations of late show; 1 is as assumed. All noise
+  /// that is the sensors' is taken so many times as large.
+  [[nodiscard]] double noise_scale() const { return noise_scale_; }
+  /// A measurement's innovation squared, over its variance.
+  void note_surprise(double surprise);
+
+  /// [1/m] sigma by which this road's curvature changes over one knot spacing.
+  [[nodiscard]] double usual_step() const;
+  /// Lets the road bend from a station on as no road behind did.
+  void free_course(double station);
   /// Lets the line go its own way from a station on: its offsets there are as uncertain as `sigma`.
   void free_line(const RoadLine& line, double station, double sigma);
   [[nodiscard]] const RoadLine* find_line(std::uint64_t id) const;
@@ -134,6 +148,8 @@ class RoadState {
   double first_knot_ = 0;
   double first_offset_ = 0;
   double driven_ = 0;
+  double noise_scale_ = 1;
+  double innovations_ = 0;   ///< that have been noted
   double restlessness_ = 0;  ///< [1/m^2] mean square of the curvature's steps behind
   std::uint64_t next_line_ = 1;
 };

@@ -10,10 +10,12 @@ namespace {
 
 constexpr double kWidestLane = 5.5;  ///< [m]
 constexpr double kNarrowestLane = 2.2;
-constexpr double kForgotten = 3;     ///< [s] unseen
-constexpr double kUncertain = 0.5;   ///< [m] sigma of the lane's middle, above which lanes may be mixed up
-constexpr double kAway = 1.0;        ///< [m] from the middle: on the way to another lane
-constexpr double kSurprising = 2.5;  ///< mean squared surprise of a vehicle that changes lane
+constexpr double kForgotten = 3;      ///< [s] unseen
+constexpr double kUncertain = 0.5;    ///< [m] sigma of the lane's middle, above which lanes may be mixed up
+constexpr double kFarthestLine = 9;   ///< [m] from a vehicle whose lane is not known
+constexpr double kStrangerSigma = 2;  ///< [m] of how far such a vehicle is from that line
+constexpr double kAway = 1.0;         ///< [m] from the middle: on the way to another lane
+constexpr double kSurprising = 2.5;   ///< mean squared surprise of a vehicle that changes lane
 
 double square(double x) { return x * x; }
 
@@ -87,75 +89,114 @@ std::size_t VehicleUpdate::take(const FeatureSet& set, const Pose2& now_from_mea
   return used;
 }
 
-bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& state) {
-  state.rebuild_axis();
-  const RoadAxis::Foot foot = state.axis().project(sighting.middle);
-  const double station = foot.place.station;
-  auto& vehicles = state.vehicles();
-  auto known = std::find_if(vehicles.begin(), vehicles.end(), [&](const RoadVehicle& vehicle) {
-    return vehicle.track_id == sighting.track_id;
-  });
-  if (sighting.changing_lane || sighting.left == kNoLine || sighting.right == kNoLine) {
-    if (known != vehicles.end()) state.remove_vehicle(static_cast<std::size_t>(known - vehicles.begin()));
-    return true;
-  }
-  const bool labelled = config_.association == RoadAssociation::labelled;
-  std::size_t left = 0;
-  std::size_t right = 0;
-  if (labelled && sighting.left >= 0) {
-    const auto find = [&](LineLabel label) {
-      const auto& lines = state.lines();
+/// What a vehicle's place is compared with: the middle of its lane, or, where nobody can say which lane it is
+/// in, the nearest line. Nothing where no line is.
+std::optional<VehicleUpdate::Reference> VehicleUpdate::reference_of(const Sighting& sighting,
+                                                                    const RoadAxis::Foot& foot,
+                                                                    const RoadState& state) {
+  const auto& lines = state.lines();
+  Reference lane;
+  if (config_.association == RoadAssociation::labelled && sighting.left >= 0) {
+    const auto labelled = [&lines](LineLabel label) {
       return static_cast<std::size_t>(
           std::find_if(lines.begin(), lines.end(), [label](const RoadLine& l) { return l.label == label; }) -
           lines.begin());
     };
-    left = find(sighting.left);
-    right = find(sighting.right);
-    if (left == state.lines().size() || right == state.lines().size()) return false;
-  } else if (!lane_at(state, station, foot.lateral, left, right)) {
-    strays_.push_back(sighting);
-    return false;
+    lane = {labelled(sighting.left), labelled(sighting.right), true};
+    if (lane.left == lines.size() || lane.right == lines.size()) return std::nullopt;
+    return lane;
   }
-  const RoadLine& left_line = state.lines()[left];
-  const RoadLine& right_line = state.lines()[right];
-  const double middle = (state.offset(left_line, station) + state.offset(right_line, station)) / 2;
-  const bool is_known = known != vehicles.end();
-  if (!labelled && !is_known && !is_certain(state, foot, left_line, right_line)) return false;
-  if (known == vehicles.end() || known->left != left_line.id || known->right != right_line.id) {
-    if (known != vehicles.end()) state.remove_vehicle(static_cast<std::size_t>(known - vehicles.begin()));
-    RoadVehicle* vehicle = state.add_vehicle(sighting.track_id);
-    if (!vehicle) return false;
-    vehicle->left = left_line.id;
-    vehicle->right = right_line.id;
-    vehicle->seen = now - from_seconds(config_.vehicles.sensor.tau);
-    known = vehicles.end() - 1;
+  const double station = foot.place.station;
+  lane.in_lane = lane_at(state, station, foot.lateral, lane.left, lane.right);
+  if (!lane.in_lane) strays_.push_back(sighting);
+  const auto known = find(sighting.track_id, state);
+  const bool settled = known != state.vehicles().end() && known->in_lane;
+  if (lane.in_lane && (settled || is_certain(state, foot, lines[lane.left], lines[lane.right]))) return lane;
+  double nearest = kFarthestLine;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double away = std::abs(state.offset(lines[i], station) - foot.lateral);
+    if (away >= nearest) continue;
+    nearest = away;
+    lane = {i, i, false};
   }
+  if (nearest == kFarthestLine) return std::nullopt;
+  return lane;
+}
+
+std::vector<RoadVehicle>::const_iterator VehicleUpdate::find(std::int64_t track_id, const RoadState& state) {
+  return std::find_if(state.vehicles().begin(), state.vehicles().end(),
+                      [track_id](const RoadVehicle& vehicle) { return vehicle.track_id == track_id; });
+}
+
+void VehicleUpdate::forget(std::int64_t track_id, RoadState& state) {
+  const auto known = find(track_id, state);
+  if (known == state.vehicles().end()) return;
+  state.remove_vehicle(static_cast<std::size_t>(known - state.vehicles().begin()));
+}
+
+/// The vehicle as it is known, or anew where it is in another lane than it was.
+RoadVehicle* VehicleUpdate::vehicle_of(const Sighting& sighting, const Reference& reference, double aside,
+                                       Time now, RoadState& state) const {
+  const std::uint64_t left = state.lines()[reference.left].id;
+  const std::uint64_t right = state.lines()[reference.right].id;
+  const auto known = find(sighting.track_id, state);
+  if (known != state.vehicles().end() && known->in_lane == reference.in_lane && known->left == left &&
+      known->right == right) {
+    return &state.vehicles()[static_cast<std::size_t>(known - state.vehicles().begin())];
+  }
+  forget(sighting.track_id, state);
+  RoadVehicle* vehicle = reference.in_lane ? state.add_vehicle(sighting.track_id)
+                                           : state.add_stranger(sighting.track_id, aside, kStrangerSigma);
+  if (!vehicle) return nullptr;
+  vehicle->left = left;
+  vehicle->right = right;
+  vehicle->seen = now - from_seconds(config_.vehicles.sensor.tau);
+  return vehicle;
+}
+
+bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& state) {
+  state.rebuild_axis();
+  if (sighting.changing_lane || sighting.left == kNoLine || sighting.right == kNoLine) {
+    forget(sighting.track_id, state);
+    return true;
+  }
+  const RoadAxis::Foot foot = state.axis().project(sighting.middle);
+  const auto reference = reference_of(sighting, foot, state);
+  if (!reference) return false;
+  RoadLine& left = state.lines()[reference->left];
+  RoadLine& right = state.lines()[reference->right];
+  const double station = foot.place.station;
+  const double aside = foot.lateral - (state.offset(left, station) + state.offset(right, station)) / 2;
+  RoadVehicle* vehicle = vehicle_of(sighting, *reference, aside, now, state);
+  if (!vehicle) return false;
   SparseRow row;
   state.add_lateral(row, foot.place);
-  state.add_offset(row, left_line, station, -0.5);
-  state.add_offset(row, right_line, station, -0.5);
-  row.add(known->index, -1);
+  state.add_offset(row, left, station, -0.5);
+  state.add_offset(row, right, station, -0.5);
+  row.add(vehicle->index, -1);
   row.add(kVehicleYaw, -sighting.range);
-  const double residual = foot.lateral - middle - state.numbers().mean(known->index) -
-                          sighting.range * state.numbers().mean(kVehicleYaw);
+  const double residual =
+      aside - state.numbers().mean(vehicle->index) - sighting.range * state.numbers().mean(kVehicleYaw);
   // Looks that follow each other within the time for which a track errs the same way say little new.
-  const double seconds = std::max(0.01, to_seconds(now - known->seen));
+  const double seconds = std::max(0.01, to_seconds(now - vehicle->seen));
   const double repeats = std::max(1.0, 2 * config_.vehicles.sensor.tau / seconds);
   const double own = std::max(sighting.variance - square(config_.vehicles.driver.sigma),
                               square(config_.vehicles.sensor.sigma) / 4);
   const double expected = state.numbers().variance(row) + own;
   const double fresh = std::min(1.0, seconds / config_.vehicles.sensor.tau);
-  known->surprise += fresh * (square(residual) / expected - known->surprise);
-  known->seen = now;
-  if (known->surprise > kSurprising || std::abs(foot.lateral - middle) > kAway + std::sqrt(expected)) {
+  vehicle->surprise += fresh * (square(residual) / expected - vehicle->surprise);
+  vehicle->seen = now;
+  const bool between = reference->in_lane && std::abs(aside) > kAway + std::sqrt(expected);
+  if (vehicle->surprise > kSurprising || between) {
+    if (!reference->in_lane) forget(sighting.track_id, state);
     return true;
   }
-  state.numbers().update(row, -residual, own * repeats * square(std::max(1.0, known->surprise)));
-  auto& lines = state.lines();
-  ++lines[left].witnessed;
-  ++lines[right].witnessed;
-  lines[left].traffic_on_right += 1;
-  lines[right].traffic_on_left += 1;
+  state.numbers().update(row, -residual, own * repeats * square(std::max(1.0, vehicle->surprise)));
+  if (!reference->in_lane) return true;
+  ++left.witnessed;
+  ++right.witnessed;
+  left.traffic_on_right += 1;
+  right.traffic_on_left += 1;
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,18 @@ class VehicleUpdate {
   [[nodiscard]] std::span<const Sighting> strays() const { return strays_; }
 
  private:
+  /// Lines of a lane, or one line twice.
+  struct Reference {
+    std::size_t left = 0;
+    std::size_t right = 0;
+    bool in_lane = false;
+  };
+  std::optional<Reference> reference_of(const Sighting& sighting, const RoadAxis::Foot& foot,
+                                        const RoadState& state);
+  static std::vector<RoadVehicle>::const_iterator find(std::int64_t track_id, const RoadState& state);
+  static void forget(std::int64_t track_id, RoadState& state);
+  RoadVehicle* vehicle_of(const Sighting& sighting, const Reference& reference, double aside, Time now,
+                          RoadState& state) const;
   void gather(const FeatureSet& set, const Pose2& now_from_measured);
   bool take_one(const Sighting& sighting, Time now, RoadState& state);
 

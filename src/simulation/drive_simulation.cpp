@@ -13,6 +13,7 @@
 #include "simulation/high_resolution_camera_model.hpp"
 #include "simulation/object_list_model.hpp"
 #include "simulation/odometry_model.hpp"
+#include "simulation/sensor_noise.hpp"
 #include "simulation/serial_camera_model.hpp"
 #include "simulation/sumo_traffic.hpp"
 #include "simulation/traffic_lanes.hpp"
@@ -46,7 +47,7 @@ std::unique_ptr<TrafficModel> make_traffic(const SimulationConfig& config, const
 
 DriveSimulation::DriveSimulation(const SimulationConfig& config, const SensorPreset& preset)
     : config_(config),
-      preset_(preset),
+      preset_(with_noise(preset, config.noise)),
       drive_road_(std::make_unique<DriveRoad>(drive_road(config.scenario, config.road, config.km, preset.road,
                                                          config.road_seed.value_or(config.seed)))),
       traffic_(make_traffic(config, preset, *drive_road_)),
@@ -61,7 +62,7 @@ void DriveSimulation::add_sensors() {
   add_cameras();
   if (config_.objects && config_.scenario.sensors.objects) add_objects();
   if (config_.gnss_ins && drive_road_->origin) {
-    add_sensor(std::make_unique<GnssInsModel>(preset_.gnss_ins, *drive_road_->origin, seed));
+    add_sensor(std::make_unique<GnssInsModel>(preset_, *drive_road_->origin, seed));
   }
 }
 
@@ -113,6 +114,7 @@ DriveInfo DriveSimulation::info() const {
   if (config_.scenario.name != Scenario{}.name) name += fmt::format(", {}", config_.scenario.name);
   if (config_.road_seed) name += fmt::format(", road seed {}", *config_.road_seed);
   if (config_.ego_lane) name += fmt::format(", lane {}", *config_.ego_lane + 1);
+  if (config_.noise != 1) name += fmt::format(", noise x {}", config_.noise);
   if (config_.images) name += fmt::format(", images, {}", to_string(*config_.images));
   if (config_.detections) name += detections_in_name(config_.guard_rail_mirrors);
   DriveInfo info{name, preset_.hash, WitnessRule::radar_and_camera};

@@ -34,6 +34,9 @@ struct SimulationConfig {
   std::optional<std::uint64_t> road_seed;  ///< else `seed`; so that many drives share a road
   std::optional<int> ego_lane;             ///< to start in, from the left, from zero; else the middle one
   bool ego_lane_changes = true;            ///< whether the ego car may leave its lane
+  /// Sensors err so many times as much as the preset says, and as they state: see with_noise(). What is drawn
+  /// into rendered images stays.
+  double noise = 1;
   /// The cameras hand over rendered images instead of what they found in them.
   std::optional<ImageConditions> images;
   bool sumo = false;  ///< SUMO's traffic instead of the built-in drivers

@@ -27,15 +27,16 @@ int fixes_a_look(double hz) {
 
 }  // namespace
 
-GnssInsModel::GnssInsModel(const GnssInsPreset& preset, const GeoOrigin& origin, std::uint64_t seed)
-    : preset_(preset),
+GnssInsModel::GnssInsModel(const SensorPreset& preset, const GeoOrigin& origin, std::uint64_t seed)
+    : preset_(preset.gnss_ins),
+      noise_(preset.noise),
       frame_(origin),
       random_(seed, "gnss ins"),
-      position_errors_{Wander(preset.position, preset.position_tau, random_),
-                       Wander(preset.position, preset.position_tau, random_),
-                       Wander(preset.position, preset.position_tau, random_)},
-      heading_error_(preset.heading, preset.position_tau, random_),
-      fixes_a_look_(fixes_a_look(preset.hz)) {}
+      position_errors_{Wander(preset_.position, preset_.position_tau, random_),
+                       Wander(preset_.position, preset_.position_tau, random_),
+                       Wander(preset_.position, preset_.position_tau, random_)},
+      heading_error_(preset_.heading, preset_.position_tau, random_),
+      fixes_a_look_(fixes_a_look(preset_.hz)) {}
 
 SensorDescription GnssInsModel::description() const { return {5, SensorKind::gnss_ins, "GNSS/INS", {}}; }
 
@@ -43,14 +44,15 @@ GnssInsFix GnssInsModel::fix(Time time, const Pose2& world_from_vehicle) const {
   const auto& [east, north, up] = position_errors_;
   const GeoOrigin there =
       frame_.place({world_from_vehicle.x + east.value(), world_from_vehicle.y + north.value(), up.value()});
+  const double stated = preset_.position / noise_;
   const double heading = world_from_vehicle.heading + heading_error_.value() - frame_.convergence(there);
   return {.stamp = stamp(description(), time, 0),
           .latitude = there.latitude_deg * kDegree,
           .longitude = there.longitude_deg * kDegree,
           .height = there.height,
           .heading = wrap_angle(heading),
-          .position_covariance = preset_.position * preset_.position * Eigen::Matrix3d::Identity(),
-          .heading_sigma = preset_.heading,
+          .position_covariance = stated * stated * Eigen::Matrix3d::Identity(),
+          .heading_sigma = preset_.heading / noise_,
           .kind = FixKind::rtk_fixed};
 }
 

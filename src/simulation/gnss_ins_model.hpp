@@ -19,9 +19,9 @@ namespace lanefuse {
 /// Above the simulator's 50 Hz it looks once a tick, and interpolates the fixes that lie within the tick.
 class GnssInsModel final : public SensorModel {
  public:
-  /// Throws a configuration error where `preset.hz` is above 50 Hz and no multiple of it.
+  /// Throws a configuration error where the preset's rate is above 50 Hz and no multiple of it.
   /// `origin` is the simulated world's.
-  GnssInsModel(const GnssInsPreset& preset, const GeoOrigin& origin, std::uint64_t seed);
+  GnssInsModel(const SensorPreset& preset, const GeoOrigin& origin, std::uint64_t seed);
   [[nodiscard]] SensorDescription description() const override;
   [[nodiscard]] double hz() const override { return preset_.hz / fixes_a_look_; }
   void observe(const Scene& scene, std::vector<Measurement>& measurements) override;
@@ -33,6 +33,7 @@ class GnssInsModel final : public SensorModel {
   };
 
   GnssInsPreset preset_;
+  double noise_;  ///< its errors are so many times as large as it states
   GeoFrame frame_;
   Random random_;
   std::array<Wander, 3> position_errors_;  ///< [m] to the east, the north and up

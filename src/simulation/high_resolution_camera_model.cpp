@@ -17,6 +17,7 @@ constexpr double kField = 0.63;   ///< [rad] to either side: 3840 columns of .32
 
 HighResolutionCameraModel::HighResolutionCameraModel(const SensorPreset& preset, std::uint64_t seed)
     : preset_(preset.high_resolution_camera),
+      noise_(preset.noise),
       pose_(preset.camera_pose),
       random_(seed, "high-resolution camera"),
       view_(preset.camera_pose, random_),
@@ -47,7 +48,8 @@ Eigen::Matrix3d HighResolutionCameraModel::covariance(const Feature& feature) co
   const double fanned = feature.y / pose_.height * pose_.residual_pitch;
   const double turned = std::hypot(pose_.yaw_bias, preset_.shared_sigma_at_100_m / 100, fanned);
   const Eigen::Vector3d sigma(along, across, std::hypot(preset_.heading.at(range), turned));
-  return rotate_covariance(sigma.array().square().matrix().asDiagonal(), std::atan2(feature.y, feature.x));
+  return rotate_covariance((sigma / noise_).array().square().matrix().asDiagonal(),
+                           std::atan2(feature.y, feature.x));
 }
 
 /// Something else that the detector takes for paint.
@@ -120,7 +122,7 @@ void HighResolutionCameraModel::observe(const Scene& scene, std::vector<Measurem
   MarkingFeatures frame;
   frame.stamp = stamp(description(), scene.time, preset_.latency);
   frame.shared_error =
-      SharedError{SharedError::Kind::lateral_growing_with_range, preset_.shared_sigma_at_100_m};
+      SharedError{SharedError::Kind::lateral_growing_with_range, preset_.shared_sigma_at_100_m / noise_};
   for (int i = 0; i < scene.road->line_count(); ++i) observe_line(scene, sight, i, frame.features);
   measurements.emplace_back(std::move(frame));
 }

@@ -29,6 +29,7 @@ class HighResolutionCameraModel final : public SensorModel {
 
  private:
   HighResolutionCameraPreset preset_;
+  double noise_;  ///< its errors are so many times as large as it states
   CameraPosePreset pose_;
   Random random_;
   GroundView view_;

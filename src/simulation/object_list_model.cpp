@@ -26,6 +26,7 @@ ObjectListModel::ObjectListModel(const SensorPreset& preset, std::uint64_t seed)
     : preset_(preset.object_list),
       radar_(preset.long_range_radar),
       camera_(preset.camera_boxes),
+      noise_(preset.noise),
       random_(seed, "object list"),
       misalignment_(random_.normal(preset_.misalignment)) {}
 
@@ -69,7 +70,7 @@ TrackedObject ObjectListModel::describe(const Track& track, const SceneVehicle& 
   object.heading = wrap_angle(seen.heading + track.heading_sigma * track.heading.value());
   object.speed = vehicle.speed + random_.normal(radar_.sigma_range_rate);
   const Eigen::Vector3d sigma(radar_.sigma_range, sigma_y, track.heading_sigma);
-  object.covariance = sigma.array().square().matrix().asDiagonal();
+  object.covariance = (sigma / noise_).array().square().matrix().asDiagonal();
   object.length = vehicle.front + vehicle.rear;
   object.width = vehicle.width;
   object.movement = MovementState::moving;

@@ -40,6 +40,7 @@ class ObjectListModel final : public SensorModel {
   ObjectListPreset preset_;
   RadarPreset radar_;
   CameraBoxesPreset camera_;
+  double noise_;  ///< its errors are so many times as large as it states
   Random random_;
   double misalignment_;  ///< [rad]
   std::int64_t next_id_ = 1;

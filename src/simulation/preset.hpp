@@ -156,6 +156,8 @@ struct GnssInsPreset {
 
 struct SensorPreset {
   std::string hash;  ///< of the file's bytes: FNV-1a 64, sixteen hexadecimal digits
+  /// All sigmas below are this many times those of the file, which are what sensors state: see with_noise().
+  double noise = 1;
   RoadPreset road;
   EgoPreset ego;
   TrafficPreset traffic;

@@ -35,7 +35,7 @@ SerialCameraModel::SerialCameraModel(const SensorPreset& preset, std::uint64_t s
       random_(seed, "serial camera"),
       odometry_(preset.odometry, seed),
       view_(preset.camera_pose, random_),
-      tracker_(preset_.noise_px * preset_.pixel) {}
+      tracker_(preset_.noise_px * preset_.pixel / preset.noise) {}
 
 SensorDescription SerialCameraModel::description() const {
   return {2, SensorKind::serial_camera, "serial camera", {0, 0, pose_.height, 0, 0, 0}};

@@ -79,6 +79,16 @@ TEST(DriveRun, SurveyedTruthIsAnotherTruthOfTheSameDrive) {
   EXPECT_EQ(line.at("surveyed").at("seed"), 1);
 }
 
+TEST(DriveRun, MoreNoiseIsMoreErrorForTheSameEstimator) {
+  DriveJob job = short_job();
+  job.key.noise = 2;
+  const Json noisy = driven(job);
+  const Json nominal = driven(short_job());
+  EXPECT_EQ(provenance_of(job, "1"), provenance_of(short_job(), "1")) << "the noise is in the key";
+  EXPECT_EQ(noisy.at("cycles_with_truth"), nominal.at("cycles_with_truth"));
+  EXPECT_GT(noisy.at("nees").get<double>(), 1.2 * nominal.at("nees").get<double>());
+}
+
 TEST(DriveRun, TellsHowFarItIs) {
   double last = 0;
   run_drive(short_job(), {}, [&last](double done) {

@@ -43,6 +43,22 @@ class ResultsOnDisk : public ::testing::Test {
   std::filesystem::path path_ = folder_ / "results.jsonl";
 };
 
+TEST(ResultLines, TheNoiseIsPartOfTheKeyAndOneUnlessSaid) {
+  DriveKey noisy = seed(1);
+  noisy.noise = 0.5;
+  EXPECT_EQ(result_line(noisy, 0.1).key, noisy);
+  EXPECT_EQ(to_string(noisy), to_string(seed(1)) + ", noise x 0.5");
+  const ResultLine unsaid = result_line(seed(1), 0.1);
+  EXPECT_FALSE(unsaid.json.contains("noise")) << "as in files from before";
+  nlohmann::ordered_json json = unsaid.json;
+  json["noise"] = 1;
+  const ResultLine said = parse_line(json.dump(), "here");
+  EXPECT_EQ(said.key, seed(1));
+  EXPECT_TRUE(same_figures(unsaid, said));
+  json["noise"] = -1;
+  EXPECT_THROW(parse_line(json.dump(), "here"), Error);
+}
+
 TEST_F(ResultsOnDisk, WhatIsWrittenIsRead) {
   const auto written = drives({0.1, 0.2});
   {

@@ -48,6 +48,14 @@ TEST(Suites, AblationsAreEveryVariantOnTheGentleRoad) {
   EXPECT_THAT(drives, Each(Field(&DriveKey::road, "gentle")));
 }
 
+TEST(Suites, CoverageIsShortDrivesOnBothRoads) {
+  const auto drives = drives_of({.suite = "coverage", .noise = 2});
+  EXPECT_THAT(drives, SizeIs(2));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::km, 2)));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::noise, 2)));
+  EXPECT_NE(drives[0].road, drives[1].road);
+}
+
 TEST(Suites, ScenesAreAllThereAre) {
   EXPECT_THAT(drives_of({.suite = "scenes"}), SizeIs(benchmark_scenes().size()));
 }

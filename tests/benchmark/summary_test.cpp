@@ -84,11 +84,16 @@ TEST(Summary, GroupsByWhatIsAskedFor) {
   EXPECT_FALSE(by_road[0].nominal) << "ablations are among its drives";
 }
 
-TEST(Summary, TruthsAndLengthsAreKeptApart) {
-  auto lines = drives({0.1, 0.2, 0.3});
+TEST(Summary, TruthsLengthsAndNoisesAreKeptApart) {
+  auto lines = drives({0.1, 0.2, 0.3, 0.4});
   lines[1].key.truth = "surveyed";
   lines[2].key.km = 4;
-  EXPECT_THAT(summarise(lines, GroupBy::scene), SizeIs(3));
+  lines[3].key.noise = 2;
+  const auto summaries = summarise(lines, GroupBy::scene);
+  ASSERT_THAT(summaries, SizeIs(4));
+  EXPECT_EQ(summaries[3].name, "nominal, noise x 2");
+  EXPECT_EQ(summaries[3].noise, 2);
+  EXPECT_FALSE(summaries[3].nominal) << "the paper's sensors had the noise of theirs";
 }
 
 TEST(Summary, RefusesToMixOrigins) {

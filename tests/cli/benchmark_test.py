@@ -174,6 +174,45 @@ class Times(BenchmarkTest):
         self.succeed("benchmark", "merge", "a.jsonl", "b.jsonl", "-o", "c.jsonl")
 
 
+class Coverage(BenchmarkTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.drive("nominal.jsonl", "--suite", "coverage", "--seeds", "1-2", "--no-times")
+        cls.drive("noisy.jsonl", "--suite", "coverage", "--seeds", "1-2", "--no-times", "--noise", 2)
+
+    def test_stated_uncertainty_is_judged_by_lane_and_distance(self):
+        nominal, noisy = self.succeed("benchmark", "coverage", "nominal.jsonl", "noisy.jsonl", "--by", "scene")
+        self.assertEqual((nominal["name"], nominal["noise"], nominal["drives"]), ("nominal", 1, 2))
+        self.assertEqual((noisy["name"], noisy["noise"], noisy["drives"]), ("nominal, noise x 2", 2, 2))
+        for lane in ("ego", "adjacent"):
+            self.assertEqual([at["distance_m"] for at in nominal[lane]], list(range(0, 121, 10)))
+            for before, after in zip(nominal[lane][:4], noisy[lane][:4]):
+                self.assertGreater(after["nees"]["mean"], before["nees"]["mean"])
+                self.assertIn(after["verdict"], ("honest", "too narrow", "too wide", "wrong tails"))
+                self.assertEqual(after["n_protected"], 0)  # the paper's estimator vouches for no bound
+
+    def test_for_people_it_is_a_table_a_row_of_drives(self):
+        text = self.call("benchmark", "coverage", "nominal.jsonl", "noisy.jsonl").stdout
+        self.assertIn("nominal, gentle, full, noise x 2: graph", text)
+        self.assertIn("intervals are", text)
+        markdown = self.call("benchmark", "coverage", "nominal.jsonl", "--markdown").stdout
+        self.assertIn("### nominal, gentle, full: graph", markdown)
+        self.assertIn("|---|---|", markdown)
+
+    def test_the_noise_names_the_drive(self):
+        self.assertEqual({line["noise"] for line in self.lines("noisy.jsonl")}, {2})
+        self.assertNotIn("noise", self.lines("nominal.jsonl")[0])
+        self.succeed("benchmark", "merge", "nominal.jsonl", "noisy.jsonl", "-o", "both.jsonl")
+        self.assertEqual(len(self.lines("both.jsonl")), 4)
+        self.refuse(2, "benchmark", "compare", "nominal.jsonl", "noisy.jsonl", naming="no drive in common")
+
+    def test_a_recorded_drive_says_that_it_is_not_nominal(self):
+        said = self.succeed("simulate", "--km", 0.1, "--noise", 0.5, "-o", "noisy.mcap")
+        self.assertTrue(said["preset_hash"].endswith(", noise x 0.5"))
+        self.assertIn("noise x 0.5", said["drive"])
+
+
 class Tracking(BenchmarkTest):
     def test_two_trackers_are_judged_side_by_side(self):
         said = self.succeed("benchmark", "tracking", "--km", 0.3, "--seeds", "1-2", "--guard-rail-mirrors", 2)
@@ -207,10 +246,11 @@ class WrongUse(BenchmarkTest):
             self.refuse(2, "benchmark", option, value, "-o", "x.jsonl", naming=option)
         self.refuse(2, "benchmark", "--set", "fusion.bogus=1", "-o", "x.jsonl", naming="fusion.bogus")
         self.refuse(2, "benchmark", "--km", 0, "-o", "x.jsonl", naming="--km")
+        self.refuse(2, "benchmark", "--noise", 0, "-o", "x.jsonl", naming="--noise")
         self.refuse(2, "benchmark", "-o", "nowhere/x.jsonl", naming="nowhere")
 
     def test_results_are_looked_for(self):
-        for command in (["table", "none"], ["compare", "none", "none"], ["merge", "none", "-o", "x"]):
+        for command in (["table", "none"], ["coverage", "none"], ["compare", "none", "none"], ["merge", "none", "-o", "x"]):
             self.refuse(3, "benchmark", *command, naming="none")
 
     def test_merging_overwrites_nothing_unasked(self):

@@ -98,6 +98,16 @@ TEST(SamplePoints, ReplaceWhatWasThereAndNeverGiveANegativeVariance) {
   EXPECT_EQ(boundary.points.front().sigma, 0);
 }
 
+TEST(ProtectionAt, LiesBetweenThePointsThatVouch) {
+  Boundary boundary;
+  boundary.points = {{0, 0, 0.1, 0.4}, {2, 0, 0.1, 0.8}, {4, 0, 0.1, 0}, {6, 0, 0.1, 1}};
+  EXPECT_DOUBLE_EQ(protection_at(boundary, 0), 0.4);
+  EXPECT_DOUBLE_EQ(protection_at(boundary, 0.5), 0.5);
+  EXPECT_EQ(protection_at(boundary, 3), 0) << "beside a point that vouches for nothing";
+  EXPECT_EQ(protection_at(boundary, 7), 0) << "beyond the points";
+  EXPECT_EQ(protection_at(Boundary{}, 0), 0);
+}
+
 template <typename Enumeration>
 std::set<std::string> names_of(int count) {
   std::set<std::string> names;

@@ -78,11 +78,12 @@ TEST(WriteReport, EscapesWhatComesFromOutside) {
 TEST(WriteReport, HasARowForEveryDistanceAndAFigureForEveryMoment) {
   const Report report = believable_report(believable_exact_result());
   const std::string html = write_report(report);
-  // Two rows of headings and one a distance; the same at every other distance beside Table I; the traffic's
-  // two tables have a row a range.
+  // Two rows of headings and one a distance, of the errors and of what is said of them; the same at every
+  // other distance beside Table I; the traffic's two tables have a row a range.
   const int ranges =
       static_cast<int>(report.evaluation.by_vehicles_ahead.size() + report.evaluation.by_gap_ahead.size());
-  EXPECT_EQ(testing::occurrences(html, "<tr>"), 2 + static_cast<int>(kDistanceCount) + 2 + 7 + 4 + ranges);
+  EXPECT_EQ(testing::occurrences(html, "<tr>"),
+            2 * (2 + static_cast<int>(kDistanceCount)) + 2 + 7 + 4 + ranges);
   EXPECT_EQ(testing::occurrences(html, "<figure>"), 1);
   EXPECT_TRUE(contains(html, "<td>" + metres(report.evaluation.lanes.ego[6].rmse_m) + "</td>"));
   EXPECT_TRUE(contains(html, "51,234"));

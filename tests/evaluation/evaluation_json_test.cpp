@@ -40,8 +40,11 @@ TEST(EvaluationJson, HoldsEveryFigureOfARoad) {
 
 TEST(EvaluationJson, WhatIsNotKnownIsNull) {
   const nlohmann::ordered_json json = to_json(judged());
-  EXPECT_TRUE(json["lanes"]["ego"][12]["rmse_m"].is_null());  // the road ends before
-  EXPECT_TRUE(json["by_gap_ahead"].back()["to"].is_null());   // without end
+  EXPECT_TRUE(json["lanes"]["ego"][12]["rmse_m"].is_null());             // the road ends before
+  EXPECT_TRUE(json["by_gap_ahead"].back()["to"].is_null());              // without end
+  EXPECT_TRUE(json["consistency"]["ego"][0]["protection_m"].is_null());  // vouched for none
+  EXPECT_EQ(json["consistency"]["ego"][0]["n_protected"], 0);
+  EXPECT_DOUBLE_EQ(json["consistency"]["ego"][0]["stated_sigma_m"].get<double>(), 0.1);
   EXPECT_EQ(json.dump().find("nan"), std::string::npos);
 }
 

@@ -14,7 +14,9 @@ namespace {
 
 using testing::kLaneWidth;
 using testing::perfect_estimate;
+using testing::reshape;
 using testing::RoadScene;
+using testing::shift;
 using testing::true_frame;
 using testing::true_road;
 
@@ -26,10 +28,6 @@ EvaluationResult evaluate(const TrueRoad& road, const RoadScene& scene, const La
 
 EvaluationResult evaluate(const RoadScene& scene, const LaneEstimate& estimate) {
   return evaluate(true_road(scene), scene, estimate);
-}
-
-void shift(LaneEstimate& estimate, double left) {
-  for (Boundary& boundary : estimate.boundaries) boundary.clothoid.lateral_offset += left;
 }
 
 TEST(ExactTruth, ThePerfectEstimateDeviatesNowhere) {
@@ -91,7 +89,7 @@ TEST(ExactTruth, DoesNotCareWhereInTheWorldTheRoadLies) {
   turned.world_from_vehicle = {-4000, 900, 3.1};
   LaneEstimate estimate = perfect_estimate(here);
   shift(estimate, 0.25);
-  estimate.boundaries[1].clothoid.heading += 0.01;
+  reshape(estimate.boundaries[1], [](Clothoid& clothoid) { clothoid.heading += 0.01; });
   const auto a = evaluate(here, estimate).lanes.ego;
   const auto b = evaluate(turned, estimate).lanes.ego;
   for (std::size_t i = 0; i < kDistanceCount; ++i) {
@@ -179,8 +177,8 @@ TEST(ExactTruth, TheWrongLaneIsALaneWidthOffAndCounted) {
 TEST(ExactTruth, CountsBoundariesThatAreNotThere) {
   const RoadScene scene;
   LaneEstimate estimate = perfect_estimate(scene);
-  estimate.boundaries[0].clothoid.lateral_offset += 1.2;
-  estimate.boundaries[3].clothoid.lateral_offset += 0.8;
+  reshape(estimate.boundaries[0], [](Clothoid& clothoid) { clothoid.lateral_offset += 1.2; });
+  reshape(estimate.boundaries[3], [](Clothoid& clothoid) { clothoid.lateral_offset += 0.8; });
   EXPECT_EQ(evaluate(scene, estimate).false_boundaries, 1U);
 }
 
@@ -192,7 +190,10 @@ TEST(ExactTruth, ConsistencyIsOneWhereSigmaIsTheDeviation) {
   EXPECT_NEAR(evaluate(scene, estimate).consistency.ego[5].mean_normalised_square, 1, 1e-9);
   shift(estimate, 0.1);
   EXPECT_NEAR(evaluate(scene, estimate).consistency.adjacent[5].mean_normalised_square, 4, 1e-9);
-  for (Boundary& boundary : estimate.boundaries) boundary.points.clear();
+  for (Boundary& boundary : estimate.boundaries) {
+    boundary.covariance.setZero();
+    sample_points(boundary);
+  }
   EXPECT_EQ(evaluate(scene, estimate).consistency.ego[5].n, 0U);
 }
 
@@ -212,13 +213,31 @@ TEST(ExactTruth, CoverageCountsWhatLiesInsideTheStatedIntervals) {
   EXPECT_DOUBLE_EQ(at.within_99, 0.75);
 }
 
+TEST(ExactTruth, ProtectionLevelsAreHeldAgainstTheirBoundarysOwnDeviation) {
+  RoadScene scene;
+  scene.course = {kLaneWidth / 2, 0, 0, 0};
+  LaneEstimate estimate = perfect_estimate(scene);
+  shift(estimate, 0.3);
+  for (Boundary& boundary : estimate.boundaries) {
+    for (BoundaryPoint& point : boundary.points) point.protection = point.x < 50 ? 0.2 : 0.4;
+  }
+  for (BoundaryPoint& point : estimate.boundaries[1].points) point.protection *= 2;
+  for (BoundaryPoint& point : estimate.boundaries[3].points) point.protection = 0;
+  const LaneConsistency consistency = evaluate(scene, estimate).consistency;
+  EXPECT_DOUBLE_EQ(consistency.ego[1].misleading_rate, 0.5) << "only the right boundary says 0.2";
+  EXPECT_DOUBLE_EQ(consistency.ego[1].protection_m, 0.3);
+  EXPECT_DOUBLE_EQ(consistency.ego[8].misleading_rate, 0);
+  EXPECT_EQ(consistency.adjacent[1].n_protected, 1U) << "the rightmost vouches for nothing";
+  EXPECT_DOUBLE_EQ(consistency.adjacent[1].misleading_rate, 1);
+}
+
 TEST(ExactTruth, KeepsWhereTheErrorWasHowLarge) {
   RoadScene scene;
   scene.course = {kLaneWidth / 2, 0, 0, 0};
   const TrueRoad road = true_road(scene);
   ExactTruthEvaluation evaluation(road);
   LaneEstimate estimate = perfect_estimate(scene);
-  estimate.boundaries[1].clothoid.lateral_offset -= 0.3;
+  reshape(estimate.boundaries[1], [](Clothoid& clothoid) { clothoid.lateral_offset -= 0.3; });
   evaluation.add(estimate, true_frame(scene));
   evaluation.add(LaneEstimate{}, true_frame(scene));
   ASSERT_EQ(evaluation.trace().size(), 2U);

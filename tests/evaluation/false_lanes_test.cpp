@@ -14,6 +14,7 @@ namespace {
 using testing::kLaneWidth;
 using testing::perfect_estimate;
 using testing::RoadScene;
+using testing::shift;
 
 EvaluationResult judge(const RoadScene& scene, const LaneEstimate& estimate) {
   const TrueRoad road = testing::true_road(scene);
@@ -39,9 +40,9 @@ TEST(FalseLanes, ALaneBesideTheRoadIsOne) {
 TEST(FalseLanes, ALaneThatStraddlesABoundaryIsOne) {
   const RoadScene scene;
   LaneEstimate estimate = perfect_estimate(scene);
-  for (Boundary& boundary : estimate.boundaries) boundary.clothoid.lateral_offset += 0.9;
+  shift(estimate, 0.9);
   EXPECT_EQ(judge(scene, estimate).false_lanes, 0U);  // off, but no other lanes
-  for (Boundary& boundary : estimate.boundaries) boundary.clothoid.lateral_offset += 0.5;
+  shift(estimate, 0.5);
   // The middle of the left one is off the road, and the others hold a boundary inside.
   EXPECT_EQ(judge(scene, estimate).false_lanes, 3U);
 }

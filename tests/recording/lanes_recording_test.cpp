@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "core/lane_description.hpp"
 #include "fields.hpp"
 #include "foxglove/scene.pb.h"
 #include "osi3/osi_sensordata.pb.h"
@@ -39,6 +40,7 @@ LaneEstimate estimate(int cycle) {
   made.reason = cycle < 2 ? StatusReason::warming_up : StatusReason::none;
   made.boundaries = {boundary(1, 1.8), boundary(2, -1.8)};
   made.lanes = {{.id = 1, .left_boundary = 1, .right_boundary = 2}};
+  describe_lanes(made);
   return made;
 }
 
@@ -124,6 +126,20 @@ TEST(LanesRecording, OtherToolsFindBoundariesAtMostTwoMetresApart) {
   for (int i = 1; i < left.boundary_line_size(); ++i) {
     EXPECT_LE(left.boundary_line(i).position().x() - left.boundary_line(i - 1).position().x(), 2.0);
   }
+}
+
+TEST(LanesRecording, OtherToolsFindLanesWithTheirMiddles) {
+  const testing::TemporaryFolder folder;
+  const auto messages =
+      messages_on<osi3::SensorData>(write_lanes(folder / "lanes.mcap", 1), topic::kLaneBoundaries);
+  ASSERT_EQ(messages.at(0).lane_size(), 1);
+  const auto& lane = messages[0].lane(0).candidate(0).classification();
+  EXPECT_TRUE(lane.is_host_vehicle_lane());
+  EXPECT_EQ(lane.left_lane_boundary_id(0).value(), 1u);
+  EXPECT_EQ(lane.right_lane_boundary_id(0).value(), 2u);
+  ASSERT_EQ(lane.centerline_size(), 7);
+  EXPECT_EQ(lane.centerline(6).x(), 60);
+  EXPECT_NEAR(lane.centerline(6).y(), 0.01 * 60 + 1e-4 * 60 * 60 / 2, 1e-9);
 }
 
 TEST(LanesRecording, ViewersSeeBoundariesFeaturesAndSwitchedOffEdges) {

@@ -82,4 +82,18 @@ inline LaneEstimate perfect_estimate(const RoadScene& scene, double range = 130)
   return estimate;
 }
 
+/// Changes the boundary's clothoid, and its points with it.
+template <typename Change>
+void reshape(Boundary& boundary, Change change) {
+  change(boundary.clothoid);
+  sample_points(boundary);
+}
+
+/// Moves all that is estimated to the left.
+inline void shift(LaneEstimate& estimate, double left) {
+  for (Boundary& boundary : estimate.boundaries) {
+    reshape(boundary, [left](Clothoid& clothoid) { clothoid.lateral_offset += left; });
+  }
+}
+
 }  // namespace lanefuse::testing

@@ -73,7 +73,7 @@ inline EvaluationResult judge(const SimulatedDrive& drive, std::span<const LaneE
 /// Bit by bit the same boundary.
 inline bool same_boundary(const Boundary& a, const Boundary& b) {
   const auto same_point = [](const BoundaryPoint& p, const BoundaryPoint& q) {
-    return p.x == q.x && p.y == q.y && p.sigma == q.sigma;
+    return p.x == q.x && p.y == q.y && p.sigma == q.sigma && p.protection == q.protection;
   };
   return a.id == b.id && a.clothoid == b.clothoid && a.covariance == b.covariance &&
          a.range_begin == b.range_begin && a.range_end == b.range_end && a.confidence == b.confidence &&
@@ -82,8 +82,14 @@ inline bool same_boundary(const Boundary& a, const Boundary& b) {
 }
 
 inline bool same_lane(const Lane& a, const Lane& b) {
+  const auto same_point = [](const LanePoint& p, const LanePoint& q) {
+    return p.x == q.x && p.y == q.y && p.heading == q.heading && p.curvature == q.curvature &&
+           p.width == q.width && p.sigma == q.sigma && p.width_sigma == q.width_sigma;
+  };
   return a.id == b.id && a.left_boundary == b.left_boundary && a.right_boundary == b.right_boundary &&
-         a.left_lane == b.left_lane && a.right_lane == b.right_lane;
+         a.left_lane == b.left_lane && a.right_lane == b.right_lane && a.range_begin == b.range_begin &&
+         a.range_end == b.range_end && a.confidence == b.confidence && a.availability == b.availability &&
+         std::ranges::equal(a.centre, b.centre, same_point);
 }
 
 /// Bit by bit the same road; what became of the inputs may differ.
