@@ -196,9 +196,11 @@ NoiselessDrive traffic(double curvature) {
   return drive;
 }
 
-TEST(RoadEstimator, FindsLanesFromVehiclesAlone) {
+class VehiclesAlone : public ::testing::TestWithParam<double> {};
+
+TEST_P(VehiclesAlone, TellOfTheLanes) {
   NoiselessDrive drive = traffic(0);
-  drive.speed = 3;
+  drive.speed = GetParam();
   RoadEstimator estimator{RoadConfig{}};
   const LaneEstimate& estimate = drive.run(estimator, 20);
   EXPECT_EQ(estimate.status, EstimateStatus::ok);
@@ -209,6 +211,8 @@ TEST(RoadEstimator, FindsLanesFromVehiclesAlone) {
     EXPECT_GT(sigma_at(estimate.boundaries[i], 20), 0.05) << "and does not say that it knows them";
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Speeds, VehiclesAlone, ::testing::Values(3.0, 12.0, 30.0));
 
 TEST(RoadEstimator, IsNotDraggedByAVehicleThatChangesLane) {
   for (const bool told : {true, false}) {
