@@ -75,6 +75,9 @@ void add_road_settings(const Section& s, RoadConfig& c) {
         "mean square of innovations over their variances where noise is as assumed");
   s.add("height_error", c.height_error, {0.0, 0.2}, "",
         "of a camera's height, relative: scales what lies aside");
+  s.add("bend_doubt", c.bend_doubt, {0.0, 1e6}, "m",
+        "times the curvature's usual change over 20 m: share by which variances grow, as roads bend between "
+        "knots");
   s.add("sigma_scale", c.sigma_scale, {0.1, 10.0}, "", "on the sigmas that are told");
   s.add("protection", c.protection, {1.0, 100.0}, "", "sigmas of the protection level");
 }

@@ -68,7 +68,9 @@ void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Bo
 
 double LaneWriter::sigma_of(const RoadState& state, const RoadLine& line, double station) const {
   const double of_height = config_.height_error * state.offset(line, station);
-  return config_.sigma_scale * std::sqrt(std::max(0.0, state.variance(line, station)) + square(of_height));
+  const double of_bends = 1 + config_.bend_doubt * state.usual_step();
+  const double of_state = of_bends * std::max(0.0, state.variance(line, station));
+  return config_.sigma_scale * std::sqrt(of_state + square(of_height));
 }
 
 void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boundary& boundary) {
