@@ -2,78 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "road/gaussian_state.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <iterator>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
+#include "road/dense_gaussian.hpp"
 
 namespace lanefuse {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// The same numbers by the textbook: each operation is a new state F x + m with covariance F P F' + Q.
-struct Dense {
-  VectorXd mean = VectorXd(0);
-  MatrixXd covariance = MatrixXd(0, 0);
-
-  [[nodiscard]] int size() const { return static_cast<int>(mean.size()); }
-  [[nodiscard]] MatrixXd identity() const { return MatrixXd::Identity(size(), size()); }
-  [[nodiscard]] VectorXd vector_of(const SparseRow& row) const {
-    VectorXd result = VectorXd::Zero(size());
-    for (const auto& [index, value] : row) result[index] += value;
-    return result;
-  }
-  void map(const MatrixXd& by) {
-    mean = (by * mean).eval();
-    covariance = (by * covariance * by.transpose()).eval();
-  }
-  void append(const VectorXd& from, double offset, double noise) {
-    MatrixXd by = MatrixXd::Zero(size() + 1, size());
-    by.topRows(size()) = identity();
-    by.bottomRows(1) = from.transpose();
-    map(by);
-    mean[size() - 1] += offset;
-    covariance(size() - 1, size() - 1) += noise;
-  }
-  void remove(int first, int count) {
-    MatrixXd by = MatrixXd::Zero(size() - count, size());
-    by.topLeftCorner(first, first).setIdentity();
-    by.bottomRightCorner(size() - first - count, size() - first - count).setIdentity();
-    map(by);
-  }
-  void shift(int first, int count, const SparseRow& from, double noise) {
-    MatrixXd move = identity();
-    for (int k = first; k + 1 < first + count; ++k) move.row(k) = identity().row(k + 1);
-    map(move);
-    MatrixXd last = identity();
-    last.row(first + count - 1) = vector_of(from).transpose();
-    map(last);
-    covariance(first + count - 1, first + count - 1) += noise;
-  }
-  void transform(int first, int count, const SparseRow& change, double mean_change) {
-    MatrixXd by = identity();
-    for (int i = first; i < first + count; ++i) by.row(i) += vector_of(change).transpose();
-    covariance = (by * covariance * by.transpose()).eval();
-    mean.segment(first, count).array() += mean_change;
-  }
-  void decay(int i, double keep, double sigma) {
-    MatrixXd by = identity();
-    by(i, i) = keep;
-    map(by);
-    covariance(i, i) += (1 - keep * keep) * sigma * sigma;
-  }
-  void update(const VectorXd& row, double residual, double noise) {
-    const double variance = row.dot(covariance * row) + noise;
-    const VectorXd gain = covariance * row / variance;
-    mean += gain * residual;
-    covariance = ((identity() - gain * row.transpose()) * covariance).eval();
-  }
-};
+using testing::Dense;
 
 /// Does everything to both, by dice.
 class Twins {

@@ -3,8 +3,10 @@
 //
 // What a measurement moves the state by must be the covariance times the gradient of its residual; that is
 // had by finite differences, from nothing but the geometry.
+#include <array>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -173,18 +175,10 @@ TEST_P(PaintJacobian, IsTheGradientOfHowFarThePaintIsFromItsLine) {
 
 INSTANTIATE_TEST_SUITE_P(Ranges, PaintJacobian, ::testing::Values(8.0, 35.0, 70.0, 120.0));
 
-class VehicleJacobian : public ::testing::TestWithParam<double> {};
-
-TEST_P(VehicleJacobian, IsTheGradientOfHowFarItIsFromItsLanesMiddle) {
-  RoadState state = any_state();
-  const double range = GetParam();
-  // The middle of the lane, a little to the left.
-  const RoadAxis::Place place = state.axis().at(range);
-  const double lane = (state.offset(state.lines()[0], range) + state.offset(state.lines()[1], range)) / 2;
-  const Eigen::Vector2d middle = place.point + (lane + 0.1) * place.normal();
+FeatureSet vehicle_at(const Eigen::Vector2d& middle, Time time) {
   FeatureSet set;
   set.lane_width = LaneWidth{3.6, 0.1};
-  set.measured_at = from_nanoseconds(1'000'000'000);
+  set.measured_at = time;
   for (const Side side : {Side::left, Side::right}) {
     const double aside = side == Side::left ? 1.8 : -1.8;
     Feature& feature =
@@ -192,24 +186,42 @@ TEST_P(VehicleJacobian, IsTheGradientOfHowFarItIsFromItsLanesMiddle) {
     feature.track_id = 4;
     feature.side = side;
   }
+  return set;
+}
+
+/// How far ahead, and whether in a lane or beside the rightmost line, in no lane that is known.
+class VehicleJacobian : public ::testing::TestWithParam<std::tuple<double, bool>> {};
+
+TEST_P(VehicleJacobian, IsTheGradientOfHowFarItIsFromWhereItKeepsTo) {
+  RoadState state = any_state();
+  const auto [range, in_lane] = GetParam();
+  const std::size_t left = in_lane ? 0 : 1;
+  const RoadAxis::Place place = state.axis().at(range);
+  const double lane = (state.offset(state.lines()[left], range) + state.offset(state.lines()[1], range)) / 2;
+  Eigen::Vector2d middle = place.point + (lane + (in_lane ? 0.1 : -3)) * place.normal();
   VehicleUpdate vehicles{RoadConfig{}};
-  ASSERT_EQ(vehicles.take(set, {}, state), 1U) << "it gets a number of its own";
+  const Time time = from_nanoseconds(1'000'000'000);
+  vehicles.take(vehicle_at(middle, time), {}, state);
+  ASSERT_EQ(state.vehicles().size(), 1U) << "it gets a number of its own";
+  ASSERT_EQ(state.vehicles()[0].in_lane, in_lane);
   state.rebuild_axis();
-  const Residual left_of_middle = [&](const RoadState& s) {
+  middle.y() += 0.05;
+  const Residual left_of_its_way = [&, left](const RoadState& s) {
     const RoadAxis::Foot foot = s.axis().project(middle);
     const double at = foot.place.station;
-    return foot.lateral - (s.offset(s.lines()[0], at) + s.offset(s.lines()[1], at)) / 2 -
+    return foot.lateral - (s.offset(s.lines()[left], at) + s.offset(s.lines()[1], at)) / 2 -
            s.numbers().mean(s.vehicles()[0].index) - middle.norm() * s.numbers().mean(kVehicleYaw);
   };
   RoadState after = state;
-  set.measured_at += std::chrono::milliseconds(80);
-  ASSERT_EQ(vehicles.take(set, {}, after), 1U);
+  vehicles.take(vehicle_at(middle, time + std::chrono::milliseconds(80)), {}, after);
   const Eigen::VectorXd change = mean_of(after) - mean_of(state);
-  EXPECT_LT(unexplained(state, change, gradient(state, left_of_middle)), kExact);
-  EXPECT_LT(std::abs(left_of_middle(moved(after, 0, 0))), std::abs(left_of_middle(state)));
+  EXPECT_GT(change.norm(), 0);
+  EXPECT_LT(unexplained(state, change, gradient(state, left_of_its_way)), kExact);
+  EXPECT_LT(std::abs(left_of_its_way(moved(after, 0, 0))), std::abs(left_of_its_way(state)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Ranges, VehicleJacobian, ::testing::Values(15.0, 45.0, 70.0));
+INSTANTIATE_TEST_SUITE_P(Ranges, VehicleJacobian,
+                         ::testing::Combine(::testing::Values(15.0, 45.0, 70.0), ::testing::Bool()));
 
 /// Of both sides, or of the left one alone.
 class TrackedLaneJacobian : public ::testing::TestWithParam<bool> {};
