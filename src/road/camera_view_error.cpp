@@ -36,7 +36,7 @@ SeenPaint corrected(const Eigen::Vector2d& seen, const Pose2& now_from_measured,
 
 double own_variance(const Feature& feature, const Eigen::Vector2d& normal, const CameraErrorsConfig& config) {
   const Eigen::Vector2d place(feature.x, feature.y);
-  const double range = place.norm();
+  const double range = std::max(place.norm(), 0.1);
   const Eigen::Vector2d ray = place / range;
   const double along = square(normal.dot(ray));
   const double shared_along = square(range * range / config.height * config.pitch_deg.sigma * kDegree);

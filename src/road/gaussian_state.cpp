@@ -76,16 +76,18 @@ void GaussianState::decay(int i, double keep, double sigma) {
   covariance_(i, i) += (1 - keep * keep) * sigma * sigma;
 }
 
+/// The same sums in the same order on both sides of the diagonal: it stays symmetric to the last bit.
 void GaussianState::transform(int first, int count, const SparseRow& change, double mean_change) {
-  Vector sum = Vector::Zero(size_);
-  for (const auto& [index, value] : change) sum += value * covariance_.col(index).head(size_);
-  for (int i = first; i < first + count; ++i) covariance_.row(i).head(size_) += sum.transpose();
-  sum.setZero();
-  for (const auto& [index, value] : change) sum += value * covariance_.col(index).head(size_);
+  Vector sum;
+  project(change, sum);
+  double own = 0;
+  for (const auto& [index, value] : change) own += value * sum[index];
   for (int i = first; i < first + count; ++i) {
     covariance_.col(i).head(size_) += sum;
+    covariance_.row(i).head(size_) += sum.transpose();
     mean_[i] += mean_change;
   }
+  covariance_.block(first, first, count, count).array() += own;
 }
 
 void GaussianState::project(const SparseRow& row, Vector& out) const {

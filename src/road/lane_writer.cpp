@@ -32,8 +32,7 @@ void LaneWriter::clear() {
   next_lane_ = 1;
 }
 
-void LaneWriter::write(const RoadState& state, double noise_scale, LaneEstimate& estimate) {
-  scale_ = config_.sigma_scale * noise_scale;
+void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
   from_left_.clear();
   for (const RoadLine& line : state.lines()) from_left_.push_back(&line);
   std::sort(from_left_.begin(), from_left_.end(), [&](const RoadLine* a, const RoadLine* b) {
@@ -67,20 +66,25 @@ void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Bo
   fit_clothoid(state, line, boundary);
 }
 
+double LaneWriter::sigma_of(const RoadState& state, const RoadLine& line, double station) const {
+  const double of_height = config_.height_error * state.offset(line, station);
+  return config_.sigma_scale * std::sqrt(std::max(0.0, state.variance(line, station)) + square(of_height));
+}
+
 void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boundary& boundary) {
   boundary.points.clear();
   const RoadAxis& axis = state.axis();
   double x = 0;
   Eigen::Vector2d before = Eigen::Vector2d::Zero();
   double sigma_before = 0;
-  double sigma = scale_ * std::sqrt(state.variance(line, 0));
+  double sigma = sigma_of(state, line, 0);
   double sigma_after = sigma;
   double sigma_at = -kSigmaStep;
   for (double station = -10; station <= RoadAxis::kEnd - kStep; station += kStep) {
     if (station >= 0 && station >= sigma_at + kSigmaStep) {
       sigma_at = station;
       sigma_before = sigma_after;
-      sigma_after = scale_ * std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
+      sigma_after = sigma_of(state, line, station + kSigmaStep);
       if (station == 0) sigma_before = sigma;
     }
     const RoadAxis::Place place = axis.at(station);
@@ -136,7 +140,8 @@ void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boun
     }
   }
   const Eigen::Matrix4d inverse = vandermonde.inverse();
-  const Eigen::Matrix4d covariance = scale_ * scale_ * inverse * places * inverse.transpose();
+  const Eigen::Matrix4d covariance =
+      config_.sigma_scale * config_.sigma_scale * inverse * places * inverse.transpose();
   boundary.covariance = (covariance + covariance.transpose()) / 2;
 }
 

@@ -16,8 +16,8 @@ class LaneWriter {
  public:
   explicit LaneWriter(const RoadConfig& config) : config_(config) {}
 
-  /// Writes boundaries and lanes; the axis must be up to date. `noise_scale`: see PaintUpdate::noise_scale().
-  void write(const RoadState& state, double noise_scale, LaneEstimate& estimate);
+  /// Writes boundaries and lanes; the axis must be up to date.
+  void write(const RoadState& state, LaneEstimate& estimate);
   void clear();
 
  private:
@@ -28,6 +28,7 @@ class LaneWriter {
   };
 
   void write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary);
+  [[nodiscard]] double sigma_of(const RoadState& state, const RoadLine& line, double station) const;
   void write_points(const RoadState& state, const RoadLine& line, Boundary& boundary);
   void fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const;
   struct Stretch {
@@ -42,7 +43,6 @@ class LaneWriter {
   std::uint64_t lane_id(std::uint64_t left, std::uint64_t right);
 
   RoadConfig config_;
-  double scale_ = 1;  ///< on what the state says of its own uncertainty
   std::vector<const RoadLine*> from_left_;
   std::vector<std::vector<BoundaryPoint>> spare_points_;
   std::vector<KnownLane> known_lanes_;

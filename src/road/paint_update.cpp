@@ -33,11 +33,9 @@ constexpr double kFreedBefore = 25;  ///< [m] before the first such band
 constexpr double kFreedSigma = 0.5;  ///< [m]
 constexpr std::size_t kFewYellow = 2;
 constexpr std::size_t kEnoughYellow = 8;
-constexpr double kHeadingReach = 60;      ///< [m] further, headings say too little
-constexpr double kHeadingRepeats = 10;    ///< headings of a frame lean together
-constexpr double kFirstMemory = 400;      ///< innovations for which what was assumed counts
-constexpr double kSurpriseMemory = 5000;  ///< innovations
-constexpr double kRefusedSigmas = 4;      ///< of a band's mean
+constexpr double kHeadingReach = 60;    ///< [m] further, headings say too little
+constexpr double kHeadingRepeats = 10;  ///< headings of a frame lean together
+constexpr double kRefusedSigmas = 4;    ///< of a band's mean
 
 double square(double x) { return x * x; }
 
@@ -189,7 +187,7 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
   const SeenPaint paint = corrected({feature.x, feature.y}, now_from_measured, state);
   const RoadAxis::Foot foot = state.axis().project(paint.point);
   const Eigen::Vector2d normal = rotation(-now_from_measured.heading) * foot.place.normal();
-  const double variance = own_variance(feature, normal, config_.camera);
+  const double variance = square(state.noise_scale()) * own_variance(feature, normal, config_.camera);
   const bool labelled = config_.association == RoadAssociation::labelled;
   std::size_t nearest = state.lines().size();
   double least = 1e9;
@@ -203,8 +201,7 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
     least = residual;
   }
   if (nearest < state.lines().size()) {
-    const double gate =
-        std::min(kWidestGate, kGateSigmas * noise_scale() * std::sqrt(square(gates_[nearest]) + variance));
+    const double gate = std::min(kWidestGate, kGateSigmas * std::sqrt(square(gates_[nearest]) + variance));
     if (labelled || std::abs(least) < gate) {
       given_[nearest].push_back({least, variance, &feature});
       return;
@@ -245,7 +242,7 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   double residual = 0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   std::erase_if(given, [&](const Given& one) {
-    return square(one.residual - median) > square(kGateSigmas * noise_scale()) * one.variance;
+    return square(one.residual - median) > square(kGateSigmas) * one.variance;
   });
   for (const Given& one : given) {
     const double weight = 1 / one.variance;
@@ -260,10 +257,8 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
   const double noise = repeats_ / weights;
   const double surprise = square(residual) / (state.numbers().variance(row) + noise);
-  const double scale = square(noise_scale());
-  if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas) * scale) return 0;
-  surprise_ += (std::min(surprise, square(kRefusedSigmas) * scale) - surprise_) /
-               std::min(kSurpriseMemory, kFirstMemory + innovations_++);
+  if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas)) return 0;
+  state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
   state.numbers().update(row, -residual, noise);
   for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
   line.paint = static_cast<std::uint16_t>(line.paint + given.size());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct StrayPaint {
 /// count as one measurement of their robust mean.
 class PaintUpdate {
  public:
-  explicit PaintUpdate(const RoadConfig& config) : config_(config), surprise_(config.usual_surprise) {}
+  explicit PaintUpdate(const RoadConfig& config) : config_(config) {}
 
   /// Gives how many features were given to lines; the others are in strays().
   /// `moved` [m] by the car since the last frame: what is seen again from the same place says little new.
@@ -33,13 +32,6 @@ class PaintUpdate {
   /// Before any line is known: what the features' headings say of the road's course, which lets them be
   /// sorted into lines even in a bend.
   void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
-
-  /// By how much sensors err more than was assumed, as the innovations of late show: 1 is as assumed.
-  [[nodiscard]] double noise_scale() const { return std::sqrt(surprise_ / config_.usual_surprise); }
-  void forget_surprise() {
-    surprise_ = config_.usual_surprise;
-    innovations_ = 0;
-  }
 
   [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
   /// The id of the line that each of the last frame's features was taken for, 0 where for none.
@@ -66,8 +58,6 @@ class PaintUpdate {
   std::size_t used_ = 0;
   int unexplained_ = 0;  ///< frames in a row with a band that the lines do not explain
   double repeats_ = 1;
-  double innovations_ = 0;
-  double surprise_ = 1;  ///< mean square of the innovations of late over their variances
   /// What a line has in this band.
   struct Near {
     std::size_t on = 0;     ///< features of this frame on it

@@ -19,6 +19,10 @@ constexpr int kLostFrames = 8;
 constexpr std::size_t kUsualFeatures = 1024;  ///< of a cycle, for which there is room from the start
 constexpr double kLongestStep = 60;           ///< [m] or more in one cycle: the path began anew
 
+bool is_finite(const Pose2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
 }  // namespace
 
 RoadEstimator::RoadEstimator(const RoadConfig& config)
@@ -36,8 +40,12 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   estimate_.time = cycle.time;
   estimate_.inputs = {};
   Pose2 odometry_from_vehicle;
-  if (cycle.motion.empty() || !pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle)) {
+  if (cycle.motion.empty() || !pose_at(cycle.motion, cycle.time, kReach, odometry_from_vehicle) ||
+      !is_finite(odometry_from_vehicle)) {
     give_up(StatusReason::no_motion);
+    for (const FeatureSet& set : cycle.features) {
+      estimate_.inputs.dropped += set.features.size() + set.clothoids.size();
+    }
     return estimate_;
   }
   estimate_.speed = cycle.motion.back().speed;
@@ -46,13 +54,17 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   debug_.features.clear();
   for (RoadLine& line : state_.lines()) line.paint = line.tracked = line.witnessed = 0;
   stage_done_(Stage::association);
-  for (const FeatureSet& set : cycle.features) take(set, cycle, odometry_from_vehicle);
+  for (const FeatureSet& set : cycle.features) {
+    const FeatureSet& possible = impossible_.sort_out(set);
+    estimate_.inputs.rejected += impossible_.count();
+    take(possible, cycle, odometry_from_vehicle);
+  }
   births_.found_lines(state_);
   lane_births_.found_lanes(usual_width_, state_);
   births_.forget_lines(state_);
   stage_done_(Stage::solve);
   state_.rebuild_axis();
-  writer_.write(state_, paint_.noise_scale(), estimate_);
+  writer_.write(state_, estimate_);
   judge();
   stage_done_(Stage::lane_model);
   return estimate_;
@@ -61,7 +73,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
 void RoadEstimator::drive(const Pose2& odometry_from_vehicle, Time now) {
   const Pose2 before = last_odometry_from_vehicle_.value_or(odometry_from_vehicle);
   const Pose2 moved = before.inverse() * odometry_from_vehicle;
-  const double seconds = last_odometry_from_vehicle_ ? to_seconds(now - last_cycle_) : 0;
+  const double seconds = last_odometry_from_vehicle_ ? std::max(0.0, to_seconds(now - last_cycle_)) : 0;
   last_odometry_from_vehicle_ = odometry_from_vehicle;
   last_cycle_ = now;
   if (moved.position().norm() > kLongestStep || seconds > 5) {
@@ -79,7 +91,8 @@ void RoadEstimator::drive(const Pose2& odometry_from_vehicle, Time now) {
 void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2& odometry_from_vehicle) {
   Pose2 odometry_from_measured;
   const std::size_t items = set.features.size() + set.clothoids.size();
-  if (!pose_at(cycle.motion, set.measured_at, kReach, odometry_from_measured)) {
+  if (!pose_at(cycle.motion, set.measured_at, kReach, odometry_from_measured) ||
+      !is_finite(odometry_from_measured)) {
     estimate_.inputs.dropped += items;
     return;
   }
@@ -161,11 +174,13 @@ void RoadEstimator::give_up(StatusReason reason) {
 }
 
 void RoadEstimator::reset() {
-  state_.clear();
-  births_.clear();
+  state_ = RoadState(config_);
+  paint_ = PaintUpdate(config_);
+  forget_road();
   writer_.clear();
-  paint_.forget_surprise();
   last_odometry_from_vehicle_.reset();
+  last_cycle_ = {};
+  usual_width_ = {};
   estimate_ = {};
   debug_ = {};
 }

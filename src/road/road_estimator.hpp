@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/estimator.hpp"
+#include "road/impossible_inputs.hpp"
 #include "road/lane_births.hpp"
 #include "road/lane_writer.hpp"
 #include "road/line_births.hpp"
@@ -41,6 +42,7 @@ class RoadEstimator final : public LaneEstimator {
   void forget_road();
 
   RoadConfig config_;
+  ImpossibleInputs impossible_;
   RoadState state_;
   PaintUpdate paint_;
   TrackedLaneUpdate tracked_lane_;

@@ -102,6 +102,12 @@ class RoadState {
   /// A vehicle in nobody knows which lane: where it is says nothing, how it moves does.
   RoadVehicle* add_stranger(std::int64_t track_id, double aside, double sigma);
   void remove_vehicle(std::size_t vehicle);
+  /// By how much sensors err more than was assumed, as innovations of late show; 1 is as assumed. All noise
+  /// that is the sensors' is taken so many times as large.
+  [[nodiscard]] double noise_scale() const { return noise_scale_; }
+  /// A measurement's innovation squared, over its variance.
+  void note_surprise(double surprise);
+
   /// [1/m] sigma by which this road's curvature changes over one knot spacing.
   [[nodiscard]] double usual_step() const;
   /// Lets the road bend from a station on as no road behind did.
@@ -131,6 +137,8 @@ class RoadState {
   bool stand(const Pose2& before_from_now, double seconds);
   void move_knots();
   void decay_errors(double seconds);
+  [[nodiscard]] double persistence() const;
+  [[nodiscard]] SparseRow next_curvature(int knot) const;
   [[nodiscard]] SparseRow next_crest(int before) const;
   [[nodiscard]] double crest_noise() const;
 
@@ -142,6 +150,8 @@ class RoadState {
   double first_knot_ = 0;
   double first_offset_ = 0;
   double driven_ = 0;
+  double noise_scale_ = 1;
+  double innovations_ = 0;   ///< that have been noted
   double restlessness_ = 0;  ///< [1/m^2] mean square of the curvature's steps behind
   std::uint64_t next_line_ = 1;
 };

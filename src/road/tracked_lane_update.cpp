@@ -64,8 +64,8 @@ std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from
     if (sides[i]) lines[i] = line_of(*sides[i], now_from_measured, state);
     if (sides[i] && lines[i] == state.lines().size()) sides[i] = nullptr;
   }
-  const double inflation =
-      config_.tracked_lane.inflation * std::clamp(kUsualWay / std::max(moved, 1e-3), 0.1, kMostRepeats);
+  const double inflation = square(state.noise_scale()) * config_.tracked_lane.inflation *
+                           std::clamp(kUsualWay / std::max(moved, 1e-3), 0.1, kMostRepeats);
   for (std::size_t i = 0; i < 2; ++i) {
     if (!sides[i]) continue;
     RoadLine& line = state.lines()[lines[i]];

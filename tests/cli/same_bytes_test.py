@@ -11,6 +11,7 @@ class SameBytes(program.ProgramTest):
         super().setUpClass()
         cls.simulate()
         cls.succeed("run", "drive.mcap", "-o", "lanes.mcap")
+        cls.succeed("run", "drive.mcap", "--estimator", "road", "-o", "road.mcap")
 
     def test_a_seed_is_a_drive(self):
         self.simulate("twin.mcap")
@@ -21,6 +22,9 @@ class SameBytes(program.ProgramTest):
     def test_a_drive_is_its_lanes(self):
         self.succeed("run", "drive.mcap", "-o", "again.mcap")
         self.assertEqual(self.bytes_of("again.mcap"), self.bytes_of("lanes.mcap"))
+        self.succeed("run", "drive.mcap", "--estimator", "road", "-o", "again_road.mcap")
+        self.assertEqual(self.bytes_of("again_road.mcap"), self.bytes_of("road.mcap"))
+        self.assertNotEqual(self.bytes_of("road.mcap"), self.bytes_of("lanes.mcap"))
 
     def test_without_truth_the_lanes_are_the_same(self):
         self.succeed("strip", "drive.mcap", "-o", "stripped.mcap")
@@ -28,6 +32,8 @@ class SameBytes(program.ProgramTest):
         self.assertNotIn(b"/truth/", self.bytes_of("stripped.mcap"))
         self.succeed("run", "stripped.mcap", "-o", "blind.mcap")
         self.assertEqual(self.bytes_of("blind.mcap"), self.bytes_of("lanes.mcap"))
+        self.succeed("run", "stripped.mcap", "--estimator", "road", "-o", "blind_road.mcap")
+        self.assertEqual(self.bytes_of("blind_road.mcap"), self.bytes_of("road.mcap"))
 
     def test_report_and_picture_are_the_same(self):
         for name in ("a", "b"):

@@ -111,17 +111,21 @@ class StandingCar {
   std::mt19937 random_{11};
 };
 
+constexpr int kTenMinutes = 15'000;  ///< ticks of the standing car
+
+Rig standing_rig() {
+  return {{{0, SensorKind::odometry, "bus", {}},
+           {2, SensorKind::high_resolution_camera, "camera", {}},
+           {3, SensorKind::object_fusion, "objects", {}}}};
+}
+
 /// False bars fill the road until each new one falls to an old one; from then on nothing grows.
 TEST(BoundedMemory, AStandingCarsGraphFillsUpAndThenStays) {
-  const Rig rig{{{0, SensorKind::odometry, "bus", {}},
-                 {2, SensorKind::high_resolution_camera, "camera", {}},
-                 {3, SensorKind::object_fusion, "objects", {}}}};
   PerceptionConfig config;
   config.cycle_hz = 5;
-  MultiLanePerception perception(config, rig);
+  MultiLanePerception perception(config, standing_rig());
   GraphSizes graph;
   StandingCar car;
-  constexpr int kTenMinutes = 15'000;
   for (int tick = 0; tick < kTenMinutes; ++tick) {
     for (const Measurement& measurement : car.tick(tick)) graph.feed(perception, measurement);
   }
@@ -130,6 +134,31 @@ TEST(BoundedMemory, AStandingCarsGraphFillsUpAndThenStays) {
   EXPECT_LT(graph.largest(0, 1).features, 2000U);
   expect_no_growth(graph.largest(0.4, 0.7), graph.largest(0.7, 1));
   EXPECT_EQ(graph.last().status, EstimateStatus::ok) << "and the lanes are still there";
+}
+
+/// What is seen from one place again and again makes the road-level estimator neither surer than its sensors
+/// nor less sure, and moves nothing.
+TEST(BoundedMemory, AStandingCarsRoadStaysAsItIs) {
+  PerceptionConfig config;
+  config.cycle_hz = 5;
+  config.estimator = EstimatorKind::road;
+  MultiLanePerception perception(config, standing_rig());
+  GraphSizes cycles;
+  StandingCar car;
+  LaneEstimate early;
+  for (int tick = 0; tick < kTenMinutes; ++tick) {
+    for (const Measurement& measurement : car.tick(tick)) cycles.feed(perception, measurement);
+    if (tick == kTenMinutes / 5) early = cycles.last();
+  }
+  const LaneEstimate& late = cycles.last();
+  EXPECT_EQ(late.status, EstimateStatus::ok);
+  ASSERT_EQ(early.lanes.size(), 3U);
+  ASSERT_EQ(late.lanes.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(late.lanes[i].id, early.lanes[i].id);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(lateral_at(late.boundaries[i], 20), 5.25 - 3.5 * static_cast<double>(i), 0.1);
+    EXPECT_GT(sigma_at(late.boundaries[i], 60), 0.01);
+  }
 }
 
 }  // namespace

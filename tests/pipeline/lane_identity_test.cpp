@@ -181,7 +181,7 @@ constexpr std::uint64_t kDrives = 16;
 INSTANTIATE_TEST_SUITE_P(Graph, LaneIdentity,
                          ::testing::Combine(::testing::Values(EstimatorKind::graph),
                                             ::testing::Range<std::uint64_t>(0, kDrives)));
-INSTANTIATE_TEST_SUITE_P(DISABLED_Road, LaneIdentity,
+INSTANTIATE_TEST_SUITE_P(Road, LaneIdentity,
                          ::testing::Combine(::testing::Values(EstimatorKind::road),
                                             ::testing::Range<std::uint64_t>(0, kDrives)));
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lanefuse Authors
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "support/simulated_run.hpp"
@@ -13,18 +15,23 @@ double seconds_of(const LaneEstimate& estimate) { return to_seconds(estimate.tim
 
 /// The lanes of a drive in which one kind of measurement is missing from second `from` to second `to`.
 template <typename Lost>
-std::vector<LaneEstimate> without(double from, double to) {
+std::vector<LaneEstimate> without(double from, double to, EstimatorKind estimator) {
   SimulatedDrive drive = testing::short_drive();
   std::erase_if(drive.measurements, [&](const Measurement& measurement) {
     const double seconds = to_seconds(stamp_of(measurement).measured_at - kSimulationStart);
     return std::holds_alternative<Lost>(measurement) && seconds > from && seconds < to;
   });
-  return testing::perceive(drive);
+  PerceptionConfig config;
+  config.estimator = estimator;
+  return testing::perceive(drive, config);
 }
 
-TEST(LostOdometry, EndsTheEstimateUntilItComesBack) {
+class LostOdometry : public ::testing::TestWithParam<EstimatorKind> {};
+class SilentSource : public ::testing::TestWithParam<EstimatorKind> {};
+
+TEST_P(LostOdometry, EndsTheEstimateUntilItComesBack) {
   int invalid = 0;
-  const auto estimates = without<VehicleMotion>(4, 6);
+  const auto estimates = without<VehicleMotion>(4, 6, GetParam());
   for (const LaneEstimate& estimate : estimates) {
     const double seconds = seconds_of(estimate);
     if (seconds > 4.2 && seconds < 6) {
@@ -43,8 +50,8 @@ TEST(LostOdometry, EndsTheEstimateUntilItComesBack) {
   EXPECT_GT(seconds_of(estimates.back()), 9);
 }
 
-TEST(LostOdometry, IsBridgedWhereItIsShort) {
-  const auto estimates = without<VehicleMotion>(4, 4.4);
+TEST_P(LostOdometry, IsBridgedWhereItIsShort) {
+  const auto estimates = without<VehicleMotion>(4, 4.4, GetParam());
   std::vector<std::uint64_t> before;
   for (const LaneEstimate& estimate : estimates) {
     if (seconds_of(estimate) > 4) break;
@@ -58,9 +65,9 @@ TEST(LostOdometry, IsBridgedWhereItIsShort) {
 }
 
 template <typename Lost>
-void expect_silence(Source source) {
+void expect_silence(Source source, EstimatorKind estimator) {
   int silent = 0;
-  for (const LaneEstimate& estimate : without<Lost>(5, 100)) {
+  for (const LaneEstimate& estimate : without<Lost>(5, 100, estimator)) {
     const auto& status = estimate.sources[static_cast<std::size_t>(source)];
     const double seconds = seconds_of(estimate);
     if (seconds > 2 && seconds < 5) {
@@ -79,19 +86,25 @@ void expect_silence(Source source) {
   EXPECT_GT(silent, 30) << "of the 50 cycles that follow";
 }
 
-TEST(SilentSource, DegradesTheEstimateAndIsNamed) {
-  expect_silence<MarkingFeatures>(Source::high_resolution_camera);
-  expect_silence<SerialLane>(Source::serial_camera);
-  expect_silence<ObjectList>(Source::objects);
+TEST_P(SilentSource, DegradesTheEstimateAndIsNamed) {
+  expect_silence<MarkingFeatures>(Source::high_resolution_camera, GetParam());
+  expect_silence<SerialLane>(Source::serial_camera, GetParam());
+  expect_silence<ObjectList>(Source::objects, GetParam());
 }
 
-TEST(SilentSource, IsNoneThatNeverSpoke) {
-  const auto estimates = without<ObjectList>(-1, 100);
+TEST_P(SilentSource, IsNoneThatNeverSpoke) {
+  const auto estimates = without<ObjectList>(-1, 100, GetParam());
   const auto late = std::ranges::find_if(estimates, [](const auto& e) { return seconds_of(e) > 9; });
   ASSERT_NE(late, estimates.end());
   EXPECT_EQ(late->status, EstimateStatus::ok);
   EXPECT_EQ(late->sources[static_cast<std::size_t>(Source::objects)], SourceStatus::unavailable);
 }
+
+constexpr auto kEstimators = {EstimatorKind::graph, EstimatorKind::road};
+std::string name_of(const ::testing::TestParamInfo<EstimatorKind>& one) { return to_string(one.param); }
+
+INSTANTIATE_TEST_SUITE_P(Estimators, LostOdometry, ::testing::ValuesIn(kEstimators), name_of);
+INSTANTIATE_TEST_SUITE_P(Estimators, SilentSource, ::testing::ValuesIn(kEstimators), name_of);
 
 }  // namespace
 }  // namespace lanefuse

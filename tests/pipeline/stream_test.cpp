@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
 #include <random>
+#include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -15,10 +17,12 @@ using testing::perceive;
 using testing::SimulatedDrive;
 
 /// A sound drive and its lanes: what damaged ones are compared with.
-class Stream : public ::testing::Test {
+class SoundDrive {
  protected:
+  explicit SoundDrive(EstimatorKind kind) { config_.estimator = kind; }
+
   [[nodiscard]] std::vector<LaneEstimate> lanes_of(const std::vector<Measurement>& stream) const {
-    MultiLanePerception perception({}, drive_.rig);
+    MultiLanePerception perception(config_, drive_.rig);
     return perceive(perception, stream);
   }
   void expect_same_lanes(const std::vector<Measurement>& stream) const {
@@ -27,8 +31,14 @@ class Stream : public ::testing::Test {
     EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size()) << "the first cycle that differs";
   }
 
+  PerceptionConfig config_;
   const SimulatedDrive drive_ = testing::short_drive();
-  const std::vector<LaneEstimate> sound_ = perceive(drive_);
+  const std::vector<LaneEstimate> sound_ = [this] { return lanes_of(drive_.measurements); }();
+};
+
+class Stream : public SoundDrive, public ::testing::TestWithParam<EstimatorKind> {
+ protected:
+  Stream() : SoundDrive(GetParam()) {}
 };
 
 InputAccounting sum_of(const std::vector<LaneEstimate>& estimates) {
@@ -50,7 +60,7 @@ double share_ok(const std::vector<LaneEstimate>& estimates) {
   return static_cast<double>(good) / all;
 }
 
-TEST_F(Stream, IsUsedWholeWhereItIsSound) {
+TEST_P(Stream, IsUsedWholeWhereItIsSound) {
   const InputAccounting inputs = sum_of(sound_);
   EXPECT_EQ(inputs.used + inputs.dropped, testing::items_in(drive_.measurements));
   EXPECT_EQ(inputs.rejected, 0U);
@@ -58,15 +68,15 @@ TEST_F(Stream, IsUsedWholeWhereItIsSound) {
   EXPECT_GT(share_ok(sound_), 0.95);
 }
 
-TEST_F(Stream, GivesTheSameBitsAgain) { expect_same_lanes(drive_.measurements); }
+TEST_P(Stream, GivesTheSameBitsAgain) { expect_same_lanes(drive_.measurements); }
 
-TEST_F(Stream, MayComeTwice) {
+TEST_P(Stream, MayComeTwice) {
   std::vector<Measurement> twice;
   for (const Measurement& measurement : drive_.measurements) twice.insert(twice.end(), 2, measurement);
   expect_same_lanes(twice);
 }
 
-TEST_F(Stream, MayBeRepeatedLater) {
+TEST_P(Stream, MayBeRepeatedLater) {
   std::vector<Measurement> repeated = drive_.measurements;
   for (const Measurement& measurement : drive_.measurements) {
     repeated.push_back(measurement);
@@ -77,7 +87,7 @@ TEST_F(Stream, MayBeRepeatedLater) {
   EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size());
 }
 
-TEST_F(Stream, MayBeShuffledWithinACycle) {
+TEST_P(Stream, MayBeShuffledWithinACycle) {
   std::map<std::int64_t, std::vector<Measurement>> cycles;
   for (const Measurement& measurement : drive_.measurements) {
     // What arrives at the very moment of a cycle belongs to it.
@@ -93,7 +103,7 @@ TEST_F(Stream, MayBeShuffledWithinACycle) {
   expect_same_lanes(shuffled);
 }
 
-TEST_F(Stream, LosesNothingToDamagedNeighbours) {
+TEST_P(Stream, LosesNothingToDamagedNeighbours) {
   std::vector<Measurement> stream = drive_.measurements;
   for (Measurement& measurement : stream) std::visit(testing::AddDamagedItem{}, measurement);
   expect_same_lanes(stream);
@@ -101,10 +111,14 @@ TEST_F(Stream, LosesNothingToDamagedNeighbours) {
   EXPECT_EQ(inputs.rejected, testing::items_in(stream) - testing::items_in(drive_.measurements));
 }
 
-class DamagedStream : public Stream, public ::testing::WithParamInterface<std::uint32_t> {};
+class DamagedStream : public SoundDrive,
+                      public ::testing::TestWithParam<std::tuple<EstimatorKind, std::uint32_t>> {
+ protected:
+  DamagedStream() : SoundDrive(std::get<0>(GetParam())) {}
+};
 
 TEST_P(DamagedStream, IsAccountedForToTheLastItem) {
-  const std::vector<Measurement> stream = testing::damaged(drive_.measurements, GetParam());
+  const std::vector<Measurement> stream = testing::damaged(drive_.measurements, std::get<1>(GetParam()));
   const auto estimates = lanes_of(stream);
   const InputAccounting inputs = sum_of(estimates);
   EXPECT_EQ(inputs.used + inputs.rejected + inputs.dropped, testing::items_in(stream));
@@ -119,10 +133,13 @@ TEST_P(DamagedStream, IsAccountedForToTheLastItem) {
   EXPECT_GT(share_ok(estimates), 0.8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, DamagedStream, ::testing::Range(1U, 7U));
+constexpr auto kEstimators = {EstimatorKind::graph, EstimatorKind::road};
 
-TEST_F(Stream, IsForgottenOnReset) {
-  MultiLanePerception perception({}, drive_.rig);
+INSTANTIATE_TEST_SUITE_P(Seeds, DamagedStream,
+                         ::testing::Combine(::testing::ValuesIn(kEstimators), ::testing::Range(1U, 7U)));
+
+TEST_P(Stream, IsForgottenOnReset) {
+  MultiLanePerception perception(config_, drive_.rig);
   perceive(perception, drive_.measurements);
   perception.reset();
   EXPECT_EQ(perception.advance(Time::max()), nullptr) << "the clock stands again";
@@ -132,8 +149,8 @@ TEST_F(Stream, IsForgottenOnReset) {
   for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].inputs, sound_[i].inputs);
 }
 
-TEST_F(Stream, CutsListsThatAreTooLong) {
-  PerceptionConfig config;
+TEST_P(Stream, CutsListsThatAreTooLong) {
+  PerceptionConfig config = config_;
   config.max_objects = 2;
   MultiLanePerception perception(config, drive_.rig);
   const Stamp stamp = stamp_of(drive_.measurements.front());
@@ -142,6 +159,9 @@ TEST_F(Stream, CutsListsThatAreTooLong) {
   ASSERT_NE(lanes, nullptr);
   EXPECT_EQ(lanes->inputs, (InputAccounting{2, 0, 3}));
 }
+
+INSTANTIATE_TEST_SUITE_P(Estimators, Stream, ::testing::ValuesIn(kEstimators),
+                         [](const auto& one) { return std::string(to_string(one.param)); });
 
 }  // namespace
 }  // namespace lanefuse
