@@ -23,6 +23,7 @@ constexpr std::size_t kFewInBand = 3;
 constexpr int kUnexplainedFrames = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
+constexpr double kFresh = 1.25;      ///< repeats: hardly any
 constexpr double kMostRepeats = 20;
 constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
 constexpr std::size_t kPulling = 5;  ///< features of a frame
@@ -258,7 +259,9 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   const double noise = repeats_ / weights;
   const double surprise = square(residual) / (state.numbers().variance(row) + noise);
   if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas)) return 0;
-  state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
+  // What is taken for a repetition is expected to err more than it does: it says nothing of the sensors'
+  // noise.
+  if (repeats_ < kFresh) state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
   state.numbers().update(row, -residual, noise);
   for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
   line.paint = static_cast<std::uint16_t>(line.paint + given.size());

@@ -74,10 +74,10 @@ struct RoadConfig {
   double sigma_max = 2;         ///< [m] nor where its lateral sigma is above this
   double usual_surprise = 0.6;  ///< mean square of innovations over their variances where noise is as assumed
   double height_error = 0.002;  ///< of a camera's height, relative: it scales all that lies aside
-  double bend_doubt = 4000;  ///< [m] times the road's usual step: share by which variances are larger than
-                             ///< the state's, as roads bend otherwise between knots
-  double sigma_scale = 0.76;  ///< on the sigmas that are told
-  double protection = 4;       ///< sigmas of the protection level
+  double bend_doubt = 4000;     ///< [m] times the road's usual step: share by which variances are larger than
+                                ///< the state's, as roads bend otherwise between knots
+  double sigma_scale = 0.76;    ///< on the sigmas that are told
+  double protection = 4;        ///< sigmas of the protection level
 };
 
 }  // namespace lanefuse
