@@ -25,6 +25,7 @@ constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next l
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
 constexpr double kFresh = 1.25;      ///< repeats: hardly any
 constexpr double kMostRepeats = 20;
+constexpr double kNearPaint = 60;    ///< [m] ahead: paint that must be of known lines
 constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
 constexpr std::size_t kPulling = 5;  ///< features of a frame
 constexpr double kPainted = 2;       ///< features in a frame, of a line that is painted
@@ -53,6 +54,7 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   given_.resize(RoadState::kMostLines);
+  near_paint_ = {};
   near_.assign(RoadState::kMostLines, {});
   find_yellow(now_from_measured, state);
   next_ = 0;
@@ -144,6 +146,7 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   const std::size_t strays = strays_.size();
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
     if (ambiguous || is_void(*by_range_[next_])) continue;
+    if (by_range_[next_]->x < kNearPaint) ++near_paint_.seen;
     give(*by_range_[next_], now_from_measured, state);
   }
   if (!labelled && !is_explained(strays, state)) return false;
@@ -263,6 +266,7 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   // noise.
   if (repeats_ < kFresh) state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
   state.numbers().update(row, -residual, noise);
+  if (place.x() < kNearPaint * weights) near_paint_.used += given.size();
   for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
   line.paint = static_cast<std::uint16_t>(line.paint + given.size());
   return given.size();

@@ -33,6 +33,13 @@ class PaintUpdate {
   /// sorted into lines even in a bend.
   void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
 
+  /// Of the last frame, near the car: how much paint was seen, and how much of it told of lines.
+  struct NearPaint {
+    std::size_t seen = 0;
+    std::size_t used = 0;
+  };
+  [[nodiscard]] const NearPaint& near() const { return near_paint_; }
+
   [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
   /// The id of the line that each of the last frame's features was taken for, 0 where for none.
   [[nodiscard]] std::span<const std::uint64_t> given_to() const { return given_to_; }
@@ -58,6 +65,7 @@ class PaintUpdate {
   std::size_t used_ = 0;
   int unexplained_ = 0;  ///< frames in a row with a band that the lines do not explain
   double repeats_ = 1;
+  NearPaint near_paint_;
   /// What a line has in this band.
   struct Near {
     std::size_t on = 0;     ///< features of this frame on it

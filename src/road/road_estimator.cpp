@@ -12,9 +12,7 @@ namespace {
 
 /// How far beyond its ends the dead reckoning may be stretched to a measurement's stamp.
 constexpr Duration kReach = std::chrono::milliseconds(100);
-constexpr double kNear = 60;             ///< [m] where paint should be of lines that are known
-constexpr double kAside = 14;            ///< [m] to either side
-constexpr std::size_t kMostStrays = 12;  ///< of a frame
+constexpr std::size_t kEnoughPaint = 16;  ///< features of a frame near the car
 constexpr int kLostFrames = 8;
 constexpr std::size_t kUsualFeatures = 1024;  ///< of a cycle, for which there is room from the start
 constexpr double kLongestStep = 60;           ///< [m] or more in one cycle: the path began anew
@@ -119,7 +117,7 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
       used += given;
       show_paint(set, now_from_measured, paint_.given_to(), debug_);
       births_.gather(paint_.strays(), state_);
-      if (!state_.lines().empty() && has_lost_the_road(given)) forget_road();
+      if (!state_.lines().empty() && has_lost_the_road()) forget_road();
     }
   }
   used = std::min(used, items);
@@ -133,11 +131,9 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
 }
 
 /// Once the lines are where no paint is, no gate lets them come back: better to begin anew than to be wrong.
-bool RoadEstimator::has_lost_the_road(std::size_t given) {
-  const auto strays = static_cast<std::size_t>(std::count_if(
-      paint_.strays().begin(), paint_.strays().end(),
-      [](const StrayPaint& stray) { return stray.station < kNear && std::abs(stray.lateral) < kAside; }));
-  const bool lost = strays >= kMostStrays && 2 * given < strays;
+bool RoadEstimator::has_lost_the_road() {
+  const PaintUpdate::NearPaint near = paint_.near();
+  const bool lost = near.seen >= kEnoughPaint && 2 * near.used < near.seen;
   lost_frames_ = lost ? lost_frames_ + 1 : std::max(0, lost_frames_ - 1);
   return lost_frames_ > kLostFrames;
 }

@@ -38,7 +38,7 @@ class RoadEstimator final : public LaneEstimator {
   void take(const FeatureSet& set, const Cycle& cycle, const Pose2& odometry_from_vehicle);
   void take_features(const FeatureSet& set, const Pose2& now_from_measured);
   void judge();
-  [[nodiscard]] bool has_lost_the_road(std::size_t given);
+  [[nodiscard]] bool has_lost_the_road();
   void forget_road();
 
   RoadConfig config_;
