@@ -23,6 +23,7 @@ void add_course(const Section& s, RoadCourseConfig& c) {
         "change of the road's curvature over 20 m, at least");
   s.add("curvature_step_max", c.curvature_step_max, kSigma, "1/m",
         "and at most, where the road behind was that restless");
+  s.add("persistence", c.persistence, {0.0, 0.99}, "", "share of such a change that the next 20 m repeat");
   s.add("churn", c.churn, {0.0, 10.0}, "",
         "share of that change by which 20 m driven make the course uncertain");
   s.add("habit", c.habit_m, {20.0, 100000.0}, "m", "of road behind that say how restless it is");
@@ -72,6 +73,11 @@ void add_road_settings(const Section& s, RoadConfig& c) {
   s.add("sigma_max", c.sigma_max, {0.05, 100.0}, "m", "nor where its lateral sigma exceeds this");
   s.add("usual_surprise", c.usual_surprise, {0.01, 100.0}, "",
         "mean square of innovations over their variances where noise is as assumed");
+  s.add("height_error", c.height_error, {0.0, 0.2}, "",
+        "of a camera's height, relative: scales what lies aside");
+  s.add("bend_doubt", c.bend_doubt, {0.0, 1e6}, "m",
+        "times the curvature's usual change over 20 m: share by which variances grow, as roads bend between "
+        "knots");
   s.add("sigma_scale", c.sigma_scale, {0.1, 10.0}, "", "on the sigmas that are told");
   s.add("protection", c.protection, {1.0, 100.0}, "", "sigmas of the protection level");
 }

@@ -66,21 +66,27 @@ void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Bo
   fit_clothoid(state, line, boundary);
 }
 
+double LaneWriter::sigma_of(const RoadState& state, const RoadLine& line, double station) const {
+  const double of_height = config_.height_error * state.offset(line, station);
+  const double of_bends = 1 + config_.bend_doubt * state.usual_step();
+  const double of_state = of_bends * std::max(0.0, state.variance(line, station));
+  return config_.sigma_scale * std::sqrt(of_state + square(of_height));
+}
+
 void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boundary& boundary) {
   boundary.points.clear();
   const RoadAxis& axis = state.axis();
   double x = 0;
   Eigen::Vector2d before = Eigen::Vector2d::Zero();
   double sigma_before = 0;
-  double sigma = config_.sigma_scale * std::sqrt(state.variance(line, 0));
+  double sigma = sigma_of(state, line, 0);
   double sigma_after = sigma;
   double sigma_at = -kSigmaStep;
   for (double station = -10; station <= RoadAxis::kEnd - kStep; station += kStep) {
     if (station >= 0 && station >= sigma_at + kSigmaStep) {
       sigma_at = station;
       sigma_before = sigma_after;
-      sigma_after =
-          config_.sigma_scale * std::sqrt(std::max(0.0, state.variance(line, station + kSigmaStep)));
+      sigma_after = sigma_of(state, line, station + kSigmaStep);
       if (station == 0) sigma_before = sigma;
     }
     const RoadAxis::Place place = axis.at(station);

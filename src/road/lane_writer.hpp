@@ -28,6 +28,7 @@ class LaneWriter {
   };
 
   void write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary);
+  [[nodiscard]] double sigma_of(const RoadState& state, const RoadLine& line, double station) const;
   void write_points(const RoadState& state, const RoadLine& line, Boundary& boundary);
   void fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const;
   struct Stretch {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "road/camera_view_error.hpp"
+#include "road/heading_update.hpp"
 
 namespace lanefuse {
 namespace {
@@ -22,6 +23,7 @@ constexpr std::size_t kFewInBand = 3;
 constexpr int kUnexplainedFrames = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
+constexpr double kFresh = 1.25;      ///< repeats: hardly any
 constexpr double kMostRepeats = 20;
 constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
 constexpr std::size_t kPulling = 5;  ///< features of a frame
@@ -45,12 +47,14 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   repeats_ = std::clamp(kFreshWay / std::max(moved, 1e-3), 1.0, kMostRepeats);
   by_range_.clear();
   strays_.clear();
+  first_ = set.features.data();
+  given_to_.assign(set.features.size(), 0);
   for (const Feature& feature : set.features) by_range_.push_back(&feature);
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   given_.resize(RoadState::kMostLines);
   near_.assign(RoadState::kMostLines, {});
-  find_yellow();
+  find_yellow(now_from_measured, state);
   next_ = 0;
   used_ = 0;
   bool explained = true;
@@ -66,17 +70,22 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   return used_;
 }
 
-/// Where a road is being built, yellow paint makes the white void. Single features may be mistaken.
-void PaintUpdate::find_yellow() {
+/// Where a road is being built, yellow paint on both sides of the car makes the white void; on the left alone
+/// it is America's edge of the road. Single features may be mistaken.
+void PaintUpdate::find_yellow(const Pose2& now_from_measured, const RoadState& state) {
   std::size_t count = 0;
+  std::size_t on_left = 0;
   yellow_begin_ = 1e9;
   yellow_end_ = -1e9;
   for (const Feature* feature : by_range_) {
     if (feature->marking.colour != MarkingColour::yellow) continue;
+    const Eigen::Vector2d place = now_from_measured * Eigen::Vector2d(feature->x, feature->y);
+    if (state.axis().project(place).lateral > 0) ++on_left;
     if (++count == kFewYellow) yellow_begin_ = feature->x;
     if (count > kFewYellow) yellow_end_ = feature->x;
   }
-  if (count < kEnoughYellow) yellow_begin_ = 1e9;
+  const bool on_both_sides = std::min(on_left, count - on_left) >= kFewYellow;
+  if (count < kEnoughYellow || !on_both_sides) yellow_begin_ = 1e9;
 }
 
 bool PaintUpdate::is_void(const Feature& feature) const {
@@ -107,21 +116,9 @@ void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_mea
   std::sort(by_range_.begin(), by_range_.end(),
             [](const Feature* a, const Feature* b) { return a->x < b->x; });
   for (const Feature* feature : by_range_) {
-    state.rebuild_axis();
-    const RoadAxis::Foot foot =
-        state.axis().project(now_from_measured * Eigen::Vector2d(feature->x, feature->y));
-    const double station = foot.place.station;
-    const double residual =
-        wrap_angle(now_from_measured.heading + feature->heading - state.axis().heading_at(station));
-    SparseRow row;
-    row.add(kHeading, -1);
-    for (int k = 0; k < RoadAxis::kKnots; ++k) {
-      row.add(kCurvatures + k,
-              hat_turn(state.first_knot() + k * RoadAxis::kKnotSpacing, RoadAxis::kKnotSpacing, station));
-    }
-    const double noise = kHeadingRepeats * feature->covariance(2, 2);
-    if (square(residual) > square(kGateSigmas) * (state.numbers().variance(row) + noise)) continue;
-    state.numbers().update(row, residual, noise);
+    const Eigen::Vector2d place = now_from_measured * Eigen::Vector2d(feature->x, feature->y);
+    const double heading = now_from_measured.heading + feature->heading;
+    take_heading(place, heading, kHeadingRepeats * feature->covariance(2, 2), state);
   }
 }
 
@@ -245,9 +242,10 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
   double weights = 0;
   double residual = 0;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  std::size_t count = 0;
+  std::erase_if(given, [&](const Given& one) {
+    return square(one.residual - median) > square(kGateSigmas) * one.variance;
+  });
   for (const Given& one : given) {
-    if (square(one.residual - median) > square(kGateSigmas) * one.variance) continue;
     const double weight = 1 / one.variance;
     weights += weight;
     residual += weight * one.residual;
@@ -255,17 +253,19 @@ std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, co
     if (one.feature->marking.colour != MarkingColour::unknown)
       line.marking.colour = one.feature->marking.colour;
     if (one.feature->marking.type != MarkingType::unknown) line.marking.type = one.feature->marking.type;
-    ++count;
   }
   residual /= weights;
   const SparseRow row = row_of(line, place / weights, now_from_measured, state);
   const double noise = repeats_ / weights;
   const double surprise = square(residual) / (state.numbers().variance(row) + noise);
   if (config_.association == RoadAssociation::gated && surprise > square(kRefusedSigmas)) return 0;
-  state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
+  // What is taken for a repetition is expected to err more than it does: it says nothing of the sensors'
+  // noise.
+  if (repeats_ < kFresh) state.note_surprise(std::min(surprise, square(kRefusedSigmas)));
   state.numbers().update(row, -residual, noise);
-  line.paint = static_cast<std::uint16_t>(line.paint + count);
-  return count;
+  for (const Given& one : given) given_to_[static_cast<std::size_t>(one.feature - first_)] = line.id;
+  line.paint = static_cast<std::uint16_t>(line.paint + given.size());
+  return given.size();
 }
 
 }  // namespace lanefuse

@@ -34,6 +34,8 @@ class PaintUpdate {
   void take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state);
 
   [[nodiscard]] std::span<const StrayPaint> strays() const { return strays_; }
+  /// The id of the line that each of the last frame's features was taken for, 0 where for none.
+  [[nodiscard]] std::span<const std::uint64_t> given_to() const { return given_to_; }
 
  private:
   /// A feature that was given to a line.
@@ -65,7 +67,7 @@ class PaintUpdate {
   };
   [[nodiscard]] bool is_explained(std::size_t first_stray, const RoadState& state);
   void let_go(RoadState& state);
-  void find_yellow();
+  void find_yellow(const Pose2& now_from_measured, const RoadState& state);
   [[nodiscard]] bool is_void(const Feature& feature) const;
 
   std::vector<std::vector<Given>> given_;  ///< a line
@@ -74,6 +76,8 @@ class PaintUpdate {
   double yellow_end_ = -1e9;
   std::vector<double> gates_;  ///< [m] a line, of this band
   std::vector<StrayPaint> strays_;
+  const Feature* first_ = nullptr;  ///< of the frame
+  std::vector<std::uint64_t> given_to_;
 };
 
 }  // namespace lanefuse

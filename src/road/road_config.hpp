@@ -18,13 +18,14 @@ struct WanderingError {
 
 /// How the road itself may go on where nothing has been seen yet.
 struct RoadCourseConfig {
-  double curvature_step = 0.6e-4;  ///< [1/m] sigma of the curvature's change over one knot spacing, at least
+  double curvature_step = 0.7e-4;  ///< [1/m] sigma of the curvature's change over one knot spacing, at least
   double curvature_step_max = 2e-3;  ///< [1/m] and at most, where the road behind was that restless
+  double persistence = 0.8;          ///< share of a step that the next one repeats: clothoids are long
   double churn = 0.05;   ///< share of such a step by which a knot errs anew, over one spacing driven
   double habit_m = 600;  ///< [m] of road behind that say how restless it is
   double first_curvature = 1.5e-3;  ///< [1/m] sigma before anything is known
   double first_heading_deg = 2;     ///< [deg] the same of the car's heading along the road
-  double offset_step = 0.012;       ///< [m] sigma of a marking's sideways drift over one offset spacing
+  double offset_step = 0.03;        ///< [m] sigma of a marking's sideways drift over one offset spacing
 };
 
 /// What the car's dead reckoning errs by.
@@ -72,7 +73,10 @@ struct RoadConfig {
   double range_max = 150;       ///< [m] no boundary speaks further
   double sigma_max = 2;         ///< [m] nor where its lateral sigma is above this
   double usual_surprise = 0.6;  ///< mean square of innovations over their variances where noise is as assumed
-  double sigma_scale = 0.89;    ///< on the sigmas that are told
+  double height_error = 0.002;  ///< of a camera's height, relative: it scales all that lies aside
+  double bend_doubt = 4000;     ///< [m] times the road's usual step: share by which variances are larger than
+                                ///< the state's, as roads bend otherwise between knots
+  double sigma_scale = 0.76;    ///< on the sigmas that are told
   double protection = 4;        ///< sigmas of the protection level
 };
 

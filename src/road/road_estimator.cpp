@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "road/seen_view.hpp"
+
 namespace lanefuse {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr double kNear = 60;             ///< [m] where paint should be of lines
 constexpr double kAside = 14;            ///< [m] to either side
 constexpr std::size_t kMostStrays = 12;  ///< of a frame
 constexpr int kLostFrames = 8;
-constexpr double kLongestStep = 60;  ///< [m] or more in one cycle: the path began anew
+constexpr std::size_t kUsualFeatures = 1024;  ///< of a cycle, for which there is room from the start
+constexpr double kLongestStep = 60;           ///< [m] or more in one cycle: the path began anew
 
 bool is_finite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
@@ -29,7 +32,9 @@ RoadEstimator::RoadEstimator(const RoadConfig& config)
       tracked_lane_(config),
       vehicles_(config),
       births_(config),
-      writer_(config) {}
+      writer_(config) {
+  debug_.features.reserve(kUsualFeatures);
+}
 
 const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   estimate_.time = cycle.time;
@@ -46,6 +51,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   estimate_.speed = cycle.motion.back().speed;
   estimate_.yaw_rate = cycle.motion.back().yaw_rate;
   drive(odometry_from_vehicle, cycle.time);
+  debug_.features.clear();
   for (RoadLine& line : state_.lines()) line.paint = line.tracked = line.witnessed = 0;
   stage_done_(Stage::association);
   for (const FeatureSet& set : cycle.features) {
@@ -96,12 +102,14 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
     const double station = state_.driven() + now_from_measured.x;
     used += tracked_lane_.take(set, now_from_measured, station - tracked_taken_at_, state_);
     tracked_taken_at_ = station;
+    show_tracked_lane(set, now_from_measured, tracked_lane_.given_to(), debug_);
   }
   if (!set.features.empty()) {
     const bool vehicles = set.features.front().track_id != kNoTrack;
     if (vehicles) {
       used += 2 * vehicles_.take(set, now_from_measured, state_);
       lane_births_.gather(vehicles_.strays(), state_);
+      show_vehicles(set, now_from_measured, state_.vehicles(), debug_);
       usual_width_ = set.lane_width.value_or(LaneWidth{});
     } else {
       if (state_.lines().empty()) paint_.take_headings(set, now_from_measured, state_);
@@ -109,6 +117,7 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
           paint_.take(set, now_from_measured, state_.driven() - paint_taken_at_, state_);
       paint_taken_at_ = state_.driven();
       used += given;
+      show_paint(set, now_from_measured, paint_.given_to(), debug_);
       births_.gather(paint_.strays(), state_);
       if (!state_.lines().empty() && has_lost_the_road(given)) forget_road();
     }

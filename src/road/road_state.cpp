@@ -15,7 +15,8 @@ constexpr double kFirstMemory = 400;      ///< innovations for which what was as
 constexpr double kSurpriseMemory = 5000;  ///< innovations
 constexpr double kLeastScale = 0.3;
 constexpr double kMostScale = 5;
-constexpr double kBehind = 15;  ///< [m] of road that stays known behind the car
+constexpr double kCurvedStep = 2e-4;  ///< [1/m] over one knot spacing, of a road with curves
+constexpr double kBehind = 15;        ///< [m] of road that stays known behind the car
 
 double square(double x) { return x * x; }
 
@@ -44,13 +45,27 @@ void RoadState::clear() {
   numbers_.append(0, square(config_.motion.speed_scale));
   numbers_.append(0, square(config_.course.first_curvature));
   for (int k = 1; k < RoadAxis::kKnots; ++k) {
-    SparseRow before;
-    before.add(kCurvatures + k - 1, 1);
-    numbers_.append(before, 0, square(2 * config_.course.curvature_step));
+    numbers_.append(next_curvature(kCurvatures + k), 0, square(2 * config_.course.curvature_step));
   }
   numbers_.append(0, square(camera.vertical_curvature / camera.height));
   for (int k = 1; k < kOffsets; ++k) numbers_.append(next_crest(kCrests + k - 1), 0, crest_noise());
   rebuild_axis();
+}
+
+/// Where a road has curves, the clothoids into them last for a while; on a calm road there are none, and in
+/// sharp bends they are short.
+double RoadState::persistence() const {
+  const double step = usual_step() / kCurvedStep;
+  return config_.course.persistence * std::min(step, 1 / step);
+}
+
+/// The curvature at a knot from those before it: where a road begins to bend, it goes on to.
+SparseRow RoadState::next_curvature(int knot) const {
+  SparseRow row;
+  const double on = knot - 2 < kCurvatures ? 0 : persistence();
+  row.add(knot - 1, 1 + on);
+  if (on > 0) row.add(knot - 2, -on);
+  return row;
 }
 
 /// The road's vertical curvature one knot on from that of `before`.
@@ -172,9 +187,8 @@ void RoadState::move_knots() {
   while (first_knot_ + RoadAxis::kKnotSpacing < -kBehind) {
     const double step = numbers_.mean(kCurvatures + 1) - numbers_.mean(kCurvatures);
     restlessness_ += RoadAxis::kKnotSpacing / course.habit_m * (square(step) - restlessness_);
-    SparseRow before;
-    before.add(kCrests - 2, 1);
-    numbers_.shift(kCurvatures, RoadAxis::kKnots, before, square(usual_step()));
+    const double own = 1 - square(persistence());
+    numbers_.shift(kCurvatures, RoadAxis::kKnots, next_curvature(kCrests - 1), own * square(usual_step()));
     first_knot_ += RoadAxis::kKnotSpacing;
   }
   while (first_offset_ + kOffsetSpacing < -kBehind) {
@@ -186,51 +200,6 @@ void RoadState::move_knots() {
     numbers_.shift(kCrests, kOffsets, next_crest(kFixedNumbers - 2), crest_noise());
     first_offset_ += kOffsetSpacing;
   }
-}
-
-RoadLine* RoadState::add_line(double offset, double sigma) {
-  if (lines_.size() == kMostLines || !numbers_.has_room(kOffsets)) return nullptr;
-  // Lines stand before vehicles: those make room.
-  while (!vehicles_.empty()) remove_vehicle(vehicles_.size() - 1);
-  RoadLine& line = lines_.emplace_back();
-  line.id = next_line_++;
-  line.first = numbers_.append(offset, square(sigma));
-  for (int k = 1; k < kOffsets; ++k) {
-    SparseRow before;
-    before.add(line.first + k - 1, 1);
-    numbers_.append(before, 0, square(config_.course.offset_step));
-  }
-  line.seen_at = driven_;
-  return &line;
-}
-
-RoadLine* RoadState::add_line_beside(std::uint64_t known, double distance, double sigma) {
-  const RoadLine* beside = find_line(known);
-  if (!beside || lines_.size() == kMostLines || !numbers_.has_room(kOffsets)) return nullptr;
-  while (!vehicles_.empty()) remove_vehicle(vehicles_.size() - 1);
-  const int first = beside->first;
-  RoadLine& line = lines_.emplace_back();
-  line.id = next_line_++;
-  SparseRow same;
-  same.add(first, 1);
-  line.first = numbers_.append(same, distance, square(sigma));
-  for (int k = 1; k < kOffsets; ++k) {
-    SparseRow parallel;
-    parallel.add(first + k, 1);
-    parallel.add(line.first + k - 1, 1);
-    parallel.add(first + k - 1, -1);
-    numbers_.append(parallel, 0, square(config_.course.offset_step));
-  }
-  line.seen_at = driven_;
-  line.density = 0;
-  return &line;
-}
-
-void RoadState::remove_line(std::size_t line) {
-  numbers_.remove(lines_[line].first, kOffsets);
-  lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
-  for (std::size_t i = line; i < lines_.size(); ++i) lines_[i].first -= kOffsets;
-  for (RoadVehicle& vehicle : vehicles_) vehicle.index -= kOffsets;
 }
 
 /// Sensors whose noise is not as their makers say are told from what they measure: innovations that are
@@ -251,88 +220,6 @@ void RoadState::free_course(double station) {
     if (first_knot_ + k * RoadAxis::kKnotSpacing < station) continue;
     numbers_.add_noise(kCurvatures + k, square(config_.course.curvature_step_max));
   }
-}
-
-void RoadState::free_line(const RoadLine& line, double station, double sigma) {
-  for (int k = 0; k < kOffsets; ++k) {
-    if (first_offset_ + k * kOffsetSpacing < station) continue;
-    numbers_.add_noise(line.first + k, square(sigma));
-  }
-}
-
-RoadVehicle* RoadState::add_vehicle(std::int64_t track_id) {
-  if (vehicles_.size() == kMostVehicles || !numbers_.has_room(1)) return nullptr;
-  RoadVehicle& vehicle = vehicles_.emplace_back();
-  vehicle.track_id = track_id;
-  vehicle.index = numbers_.append(0, square(config_.vehicles.driver.sigma));
-  return &vehicle;
-}
-
-RoadVehicle* RoadState::add_stranger(std::int64_t track_id, double aside, double sigma) {
-  RoadVehicle* vehicle = add_vehicle(track_id);
-  if (!vehicle) return nullptr;
-  vehicle->in_lane = false;
-  numbers_.set_mean(vehicle->index, aside);
-  numbers_.add_noise(vehicle->index, square(sigma));
-  return vehicle;
-}
-
-void RoadState::remove_vehicle(std::size_t vehicle) {
-  numbers_.remove(vehicles_[vehicle].index, 1);
-  vehicles_.erase(vehicles_.begin() + static_cast<std::ptrdiff_t>(vehicle));
-  for (std::size_t i = vehicle; i < vehicles_.size(); ++i) --vehicles_[i].index;
-}
-
-const RoadLine* RoadState::find_line(std::uint64_t id) const {
-  const auto found =
-      std::find_if(lines_.begin(), lines_.end(), [id](const RoadLine& line) { return line.id == id; });
-  return found == lines_.end() ? nullptr : &*found;
-}
-
-double RoadState::offset(const RoadLine& line, double station) const {
-  const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
-  return w.of_first * numbers_.mean(line.first + w.first) +
-         w.of_second * numbers_.mean(line.first + w.first + 1);
-}
-
-double RoadState::slope(const RoadLine& line, double station) const {
-  const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
-  return (numbers_.mean(line.first + w.first + 1) - numbers_.mean(line.first + w.first)) / kOffsetSpacing;
-}
-
-void RoadState::add_lateral(SparseRow& row, const RoadAxis::Place& at, double factor) const {
-  row.add(kHeading, factor * axis_.heading_lever(at));
-  for (int k = 0; k < RoadAxis::kKnots; ++k) {
-    row.add(kCurvatures + k, -factor * axis_.curvature_lever(k, at.station));
-  }
-}
-
-void RoadState::add_offset(SparseRow& row, const RoadLine& line, double station, double factor) const {
-  const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
-  row.add(line.first + w.first, factor * w.of_first);
-  row.add(line.first + w.first + 1, factor * w.of_second);
-}
-
-double RoadState::relative_height(double station) const {
-  double height = 0;
-  for (int k = 0; k < kOffsets; ++k) {
-    height +=
-        numbers_.mean(kCrests + k) * hat_lever(first_offset_ + k * kOffsetSpacing, kOffsetSpacing, station);
-  }
-  return height;
-}
-
-void RoadState::add_relative_height(SparseRow& row, double station, double factor) const {
-  for (int k = 0; k < kOffsets; ++k) {
-    row.add(kCrests + k, factor * hat_lever(first_offset_ + k * kOffsetSpacing, kOffsetSpacing, station));
-  }
-}
-
-double RoadState::variance(const RoadLine& line, double station) const {
-  SparseRow row;
-  add_lateral(row, axis_.at(station), -1);
-  add_offset(row, line, station);
-  return numbers_.variance(row);
 }
 
 }  // namespace lanefuse

@@ -137,6 +137,8 @@ class RoadState {
   bool stand(const Pose2& before_from_now, double seconds);
   void move_knots();
   void decay_errors(double seconds);
+  [[nodiscard]] double persistence() const;
+  [[nodiscard]] SparseRow next_curvature(int knot) const;
   [[nodiscard]] SparseRow next_crest(int before) const;
   [[nodiscard]] double crest_noise() const;
 

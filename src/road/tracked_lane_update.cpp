@@ -51,6 +51,7 @@ std::size_t TrackedLaneUpdate::line_of(const ClothoidMeasurement& side, const Po
 
 std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from_measured, double moved,
                                     RoadState& state) {
+  given_to_.assign(set.clothoids.size(), 0);
   const ClothoidMeasurement* left = nullptr;
   const ClothoidMeasurement* right = nullptr;
   for (const ClothoidMeasurement& clothoid : set.clothoids) {
@@ -68,6 +69,7 @@ std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from
   for (std::size_t i = 0; i < 2; ++i) {
     if (!sides[i]) continue;
     RoadLine& line = state.lines()[lines[i]];
+    given_to_[static_cast<std::size_t>(sides[i] - set.clothoids.data())] = line.id;
     ++line.tracked;
     if (sides[i]->marking.type != MarkingType::unknown) line.marking.type = sides[i]->marking.type;
     if (sides[i]->marking.colour != MarkingColour::unknown) line.marking.colour = sides[i]->marking.colour;

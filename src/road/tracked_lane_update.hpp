@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "core/feature.hpp"
 #include "road/road_state.hpp"
 
@@ -19,6 +23,9 @@ class TrackedLaneUpdate {
   /// clothoids were taken.
   std::size_t take(const FeatureSet& set, const Pose2& now_from_measured, double moved, RoadState& state);
 
+  /// The ids of the lines that the last set's clothoids were taken for, 0 where for none; one a clothoid.
+  [[nodiscard]] std::span<const std::uint64_t> given_to() const { return given_to_; }
+
  private:
   /// The index of the line that the clothoid is of, or lines().size().
   std::size_t line_of(const ClothoidMeasurement& side, const Pose2& now_from_measured,
@@ -28,6 +35,7 @@ class TrackedLaneUpdate {
                    const RoadLine* other_line) const;
 
   RoadConfig config_;
+  std::vector<std::uint64_t> given_to_;
 };
 
 }  // namespace lanefuse

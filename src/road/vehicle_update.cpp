@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "road/heading_update.hpp"
+
 namespace lanefuse {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double kForgotten = 3;      ///< [s] unseen
 constexpr double kUncertain = 0.5;    ///< [m] sigma of the lane's middle, above which lanes may be mixed up
 constexpr double kFarthestLine = 9;   ///< [m] from a vehicle whose lane is not known
 constexpr double kStrangerSigma = 2;  ///< [m] of how far such a vehicle is from that line
+constexpr double kHeadingTau = 2;     ///< [s] for which a driver's heading errs the same way
+constexpr double kOwnHeading = 0.02;  ///< [rad] sigma of the car's own
 constexpr double kAway = 1.0;         ///< [m] from the middle: on the way to another lane
 constexpr double kSurprising = 2.5;   ///< mean squared surprise of a vehicle that changes lane
 
@@ -65,10 +69,25 @@ void VehicleUpdate::gather(const FeatureSet& set, const Pose2& now_from_measured
     if (one == sightings_.end()) {
       sightings_.push_back({feature.track_id, now_from_measured * middle, middle.norm(),
                             across.dot(feature.covariance.topLeftCorner<2, 2>() * across),
+                            now_from_measured.heading + feature.heading, feature.covariance(2, 2),
                             feature.changing_lane});
       one = sightings_.end() - 1;
     }
     (feature.side == Side::left ? one->left : one->right) = feature.label;
+  }
+}
+
+/// Where the road's course is known less well than drivers keep to it, it goes the way they go, and the way
+/// the car itself goes.
+void VehicleUpdate::take_headings(double seconds, RoadState& state) const {
+  const double repeats = std::max(1.0, 2 * kHeadingTau / std::max(seconds, 0.01));
+  const auto take = [&](const Eigen::Vector2d& place, double heading, double variance) {
+    const double station = state.axis().project(place).place.station;
+    if (heading_variance(station, state) > variance) take_heading(place, heading, repeats * variance, state);
+  };
+  take(Eigen::Vector2d::Zero(), 0, square(kOwnHeading));
+  for (const Sighting& sighting : sightings_) {
+    if (!sighting.changing_lane) take(sighting.middle, sighting.heading, sighting.heading_variance);
   }
 }
 
@@ -82,6 +101,8 @@ std::size_t VehicleUpdate::take(const FeatureSet& set, const Pose2& now_from_mea
   std::sort(sightings_.begin(), sightings_.end(), [](const Sighting& a, const Sighting& b) {
     return a.range < b.range || (a.range == b.range && a.track_id < b.track_id);
   });
+  take_headings(taken_at_ ? to_seconds(set.measured_at - *taken_at_) : 0, state);
+  taken_at_ = set.measured_at;
   std::size_t used = 0;
   for (const Sighting& sighting : sightings_) {
     if (take_one(sighting, set.measured_at, state)) ++used;

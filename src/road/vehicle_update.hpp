@@ -26,6 +26,8 @@ class VehicleUpdate {
     Eigen::Vector2d middle;
     double range = 0;     ///< [m] in the frame of the measurement
     double variance = 0;  ///< across, of the track alone
+    double heading = 0;   ///< [rad]
+    double heading_variance = 0;
     bool changing_lane = false;
     LineLabel left = kNoLabel;
     LineLabel right = kNoLabel;
@@ -49,12 +51,14 @@ class VehicleUpdate {
   static void forget(std::int64_t track_id, RoadState& state);
   RoadVehicle* vehicle_of(const Sighting& sighting, const Reference& reference, double aside, Time now,
                           RoadState& state) const;
+  void take_headings(double seconds, RoadState& state) const;
   void gather(const FeatureSet& set, const Pose2& now_from_measured);
   bool take_one(const Sighting& sighting, Time now, RoadState& state);
 
   RoadConfig config_;
   std::vector<Sighting> sightings_;
   std::vector<Sighting> strays_;
+  std::optional<Time> taken_at_;
 };
 
 }  // namespace lanefuse
