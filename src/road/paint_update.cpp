@@ -56,6 +56,7 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   find_yellow(now_from_measured, state);
   next_ = 0;
   used_ = 0;
+  if (!config_.range_order) before_frame_.emplace(state).rebuild_axis();
   bool explained = true;
   for (std::size_t b = 0; b + 1 < kBands.size() && explained; ++b) {
     explained = take_band(kBands[b], kBands[b + 1], now_from_measured, state);
@@ -128,10 +129,11 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   state.rebuild_axis();
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
-  for (const RoadLine& line : state.lines()) {
-    const auto foot = state.axis().project(corrected(middle, now_from_measured, state).point);
-    const Eigen::Vector2d beside(middle.x(), state.offset(line, foot.place.station) - foot.lateral);
-    const double variance = state.numbers().variance(row_of(line, beside, now_from_measured, state));
+  const RoadState& from = known(state);
+  for (const RoadLine& line : from.lines()) {
+    const auto foot = from.axis().project(corrected(middle, now_from_measured, from).point);
+    const Eigen::Vector2d beside(middle.x(), from.offset(line, foot.place.station) - foot.lateral);
+    const double variance = from.numbers().variance(row_of(line, beside, now_from_measured, from));
     gates_.push_back(std::sqrt(variance));
     given_[gates_.size() - 1].clear();
   }
@@ -143,9 +145,10 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   const std::size_t strays = strays_.size();
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
     if (ambiguous || is_void(*by_range_[next_])) continue;
-    give(*by_range_[next_], now_from_measured, state);
+    give(*by_range_[next_], now_from_measured, from);
   }
-  if (!labelled && !is_explained(strays, state)) return false;
+  if (!labelled && !is_explained(strays, from)) return false;
+  if (before_frame_) look_again(now_from_measured, state);
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     near_[i].on += given_[i].size();
     // What few features there are where a line has no paint are of something else.
@@ -213,6 +216,18 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
     }
   }
   strays_.push_back({foot.place.station, foot.lateral, feature.marking, feature.label});
+}
+
+/// How far the features that the frame's beginning gave to lines are from where the lines are believed to be
+/// by now: to take in what earlier bands have told already would be to believe it twice.
+void PaintUpdate::look_again(const Pose2& now_from_measured, const RoadState& state) {
+  for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    for (Given& one : given_[i]) {
+      const Eigen::Vector2d seen(one.feature->x, one.feature->y);
+      const RoadAxis::Foot foot = state.axis().project(corrected(seen, now_from_measured, state).point);
+      one.residual = foot.lateral - state.offset(state.lines()[i], foot.place.station);
+    }
+  }
 }
 
 SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,

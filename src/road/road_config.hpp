@@ -60,11 +60,14 @@ struct VehiclesConfig {
   WanderingError driver{0.3, 25};   ///< [m] about the middle of the lane
   WanderingError sensor{0.3, 0.8};  ///< [m] of the tracks' places, shared by looks that follow each other
   double misalignment_deg = 0.08;   ///< [deg] that all tracks share
+  bool switchable = true;           ///< one that changes lane is not believed until it has settled
 };
 
 /// Settings of the road-level estimator. Measured in docs/road.md.
 struct RoadConfig {
   RoadAssociation association = RoadAssociation::gated;
+  bool range_order = true;  ///< lines are told apart from near to far, else all by what the last frame left
+  bool adapt_noise = true;  ///< how much sensors err is learned from innovations
   RoadCourseConfig course;
   RoadMotionConfig motion;
   CameraErrorsConfig camera;
@@ -74,8 +77,8 @@ struct RoadConfig {
   double sigma_max = 2;         ///< [m] nor where its lateral sigma is above this
   double usual_surprise = 0.6;  ///< mean square of innovations over their variances where noise is as assumed
   double height_error = 0.0015;  ///< of a camera's height, relative: it scales all that lies aside
-  double sigma_scale = 0.85;    ///< on the sigmas that are told
-  double protection = 4;        ///< sigmas of the protection level
+  double sigma_scale = 0.85;     ///< on the sigmas that are told
+  double protection = 4;         ///< sigmas of the protection level
 };
 
 }  // namespace lanefuse
