@@ -27,13 +27,15 @@ struct Suite {
   const char* road;
   const char* variant;
   double km;  ///< a drive
+  const char* estimator;
 };
 
 const Suite kSuites[] = {
-    {"nominal", kNominalScene, kAll, "full", 24},
-    {"scenes", kAll, kAll, "full", 4},
-    {"ablations", kNominalScene, "gentle", kAll, 24},
-    {"coverage", kNominalScene, kAll, "full", 2},
+    {"nominal", kNominalScene, kAll, "full", 24, "graph"},
+    {"scenes", kAll, kAll, "full", 4, "graph"},
+    {"ablations", kNominalScene, "gentle", kAll, 24, "graph"},
+    {"road-ablations", kNominalScene, "gentle", kAll, 24, "road"},
+    {"coverage", kNominalScene, kAll, "full", 2, "graph"},
 };
 
 void demand_one_of(const char* option, const std::string& name, const std::vector<std::string>& names) {
@@ -74,7 +76,8 @@ std::vector<std::string> variants_of(const SuiteChoice& choice, const Suite& sui
 }
 
 /// Those that are asked for, each once.
-std::vector<std::string> estimators_of(const SuiteChoice& choice) {
+std::vector<std::string> estimators_of(const SuiteChoice& choice, const Suite& suite) {
+  if (choice.estimators.empty()) return {suite.estimator};
   std::vector<std::string> estimators;
   for (const std::string& name : choice.estimators) {
     demand_one_of("--estimator", name, estimator_names());
@@ -106,18 +109,22 @@ std::vector<std::string> suite_names() {
 }
 
 std::vector<DriveKey> drives_of(const SuiteChoice& choice) {
-  const std::vector<std::string> estimators = estimators_of(choice);
-  demand_one_of("--truth", choice.truth, {"exact", "surveyed"});
   const Suite& suite = find_suite(choice.suite);
+  const std::vector<std::string> estimators = estimators_of(choice, suite);
+  demand_one_of("--truth", choice.truth, {"exact", "surveyed"});
   const auto scenes = scenes_of(choice, suite);
   const auto variants = variants_of(choice, suite);
+  const bool all = choice.variant.value_or(suite.variant) == kAll;
   const double km = choice.km.value_or(suite.km);
   std::vector<DriveKey> drives;
   for (const std::uint64_t seed : choice.seeds) {
     for (const BenchmarkScene& scene : scenes) {
       for (const std::string& variant : variants) {
-        for (const std::string& estimator : estimators)
+        for (const std::string& estimator : estimators) {
+          if (all && !has_piece(find_variant(variant), estimator)) continue;
+          demand_piece(find_variant(variant), estimator);
           drives.push_back({scene.name, scene.road, seed, km, variant, estimator, choice.truth});
+        }
       }
     }
   }

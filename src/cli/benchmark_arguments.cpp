@@ -33,7 +33,8 @@ void add_drives(CLI::App& command, BenchmarkOptions& options) {
   command.add_option("--seeds", options.seeds, "one drive each, as in 1-6,9")->capture_default_str();
   command.add_option("--km", choice.km, "length of a drive [km], if not the suite's own")
       ->check(CLI::Range(0.05, 1000.0));
-  command.add_option("--variant", choice.variant, listed("all, or only this variant", variant_names()));
+  command.add_option("--variant", choice.variant,
+                     listed("all of the estimator, or only this variant", variant_names()));
   command
       .add_option("--noise", choice.noise,
                   "sensors err so many times as much as the preset, and they themselves, say")
@@ -43,10 +44,10 @@ void add_drives(CLI::App& command, BenchmarkOptions& options) {
                    "drive each once more with raw detections in place of the object list, as the variant "
                    "'detections'");
   command
-      .add_option("--estimator", choice.estimators,
-                  listed("what fuses, or several as in graph,road", estimator_names()))
-      ->delimiter(',')
-      ->capture_default_str();
+      .add_option(
+          "--estimator", choice.estimators,
+          listed("what fuses, if not the suite's own, or several as in graph,road", estimator_names()))
+      ->delimiter(',');
   command.add_option("--truth", choice.truth, "exact, or surveyed with the errors of the paper's own map")
       ->capture_default_str();
   command

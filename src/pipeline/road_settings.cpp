@@ -55,6 +55,9 @@ void add_camera(const Section& s, CameraErrorsConfig& c) {
 }  // namespace
 
 void add_road_settings(const Section& s, RoadConfig& c) {
+  s.add("range_order", c.range_order,
+        "tell lines apart from near to far, else all by what the last frame left known");
+  s.add("adapt_noise", c.adapt_noise, "learn from innovations how much sensors err");
   add_course(s.section("course"), c.course);
   add_motion(s.section("motion"), c.motion);
   add_camera(s.section("camera"), c.camera);
@@ -69,6 +72,8 @@ void add_road_settings(const Section& s, RoadConfig& c) {
   vehicles.add("sensor_sigma", c.vehicles.sensor.sigma, kSigma, "m", "of tracks, across");
   vehicles.add("sensor_tau", c.vehicles.sensor.tau, kTime, "s", "for which a track errs the same way");
   vehicles.add("misalignment_deg", c.vehicles.misalignment_deg, kDegrees, "deg", "that all tracks share");
+  vehicles.add("switchable", c.vehicles.switchable,
+               "one that changes lane is not believed until it has settled");
   s.add("range_max", c.range_max, {10.0, 500.0}, "m", "no boundary speaks further");
   s.add("sigma_max", c.sigma_max, {0.05, 100.0}, "m", "nor where its lateral sigma exceeds this");
   s.add("usual_surprise", c.usual_surprise, {0.01, 100.0}, "",

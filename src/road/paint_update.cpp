@@ -14,27 +14,16 @@ namespace {
 
 constexpr std::array kBands{0.0, 12.0, 20.0, 30.0, 40.0, 50.0, 60.0, 75.0, 90.0, 110.0, 160.0};  // [m]
 constexpr double kGateSigmas = 3;
-constexpr double kAmbiguous = 0.6;    ///< [m] sigma of where the lines are
-constexpr double kRestless = 2.5e-4;  ///< [1/m] over one knot spacing: on calmer roads it does not happen
-constexpr double kBeyond = 1.5;       ///< [m] beyond the outermost line: too far to be on it
-constexpr double kNextLane = 5;       ///< [m] beyond it: a lane further
-constexpr double kNear = 40;          ///< [m] ahead, where lines are put in order
-constexpr std::size_t kFewInBand = 3;
+constexpr double kAmbiguous = 0.6;  ///< [m] sigma of where the lines are
 constexpr int kUnexplainedFrames = 3;
 constexpr double kWidestGate = 1.2;  ///< [m] beyond, it is nearer to the next line
 constexpr double kFreshWay = 1.5;    ///< [m] driven, after which paint is seen anew
 constexpr double kFresh = 1.25;      ///< repeats: hardly any
 constexpr double kMostRepeats = 20;
-constexpr double kNearPaint = 60;    ///< [m] ahead: paint that must be of known lines
-constexpr double kBeside = 2.2;      ///< [m] from a line: may be that line elsewhere
-constexpr std::size_t kPulling = 5;  ///< features of a frame
-constexpr double kPainted = 2;       ///< features in a frame, of a line that is painted
-constexpr double kDensityGain = 0.2;
-constexpr double kPulledFrames = 3;
-constexpr double kFreedBefore = 25;  ///< [m] before the first such band
-constexpr double kFreedSigma = 0.5;  ///< [m]
-constexpr std::size_t kFewYellow = 2;
-constexpr std::size_t kEnoughYellow = 8;
+constexpr double kNearPaint = 60;       ///< [m] ahead: paint that must be of known lines
+constexpr double kBeside = 2.2;         ///< [m] from a line: may be that line elsewhere
+constexpr double kPainted = 2;          ///< features in a frame, of a line that is painted
+constexpr double kFreedBefore = 25;     ///< [m] before the first such band
 constexpr double kHeadingReach = 60;    ///< [m] further, headings say too little
 constexpr double kHeadingRepeats = 10;  ///< headings of a frame lean together
 constexpr double kRefusedSigmas = 4;    ///< of a band's mean
@@ -59,6 +48,7 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   find_yellow(now_from_measured, state);
   next_ = 0;
   used_ = 0;
+  if (!config_.range_order) before_frame_.emplace(state).rebuild_axis();
   bool explained = true;
   for (std::size_t b = 0; b + 1 < kBands.size() && explained; ++b) {
     explained = take_band(kBands[b], kBands[b + 1], now_from_measured, state);
@@ -70,44 +60,6 @@ std::size_t PaintUpdate::take(const FeatureSet& set, const Pose2& now_from_measu
   if (explained) unexplained_ = 0;
   let_go(state);
   return used_;
-}
-
-/// Where a road is being built, yellow paint on both sides of the car makes the white void; on the left alone
-/// it is America's edge of the road. Single features may be mistaken.
-void PaintUpdate::find_yellow(const Pose2& now_from_measured, const RoadState& state) {
-  std::size_t count = 0;
-  std::size_t on_left = 0;
-  yellow_begin_ = 1e9;
-  yellow_end_ = -1e9;
-  for (const Feature* feature : by_range_) {
-    if (feature->marking.colour != MarkingColour::yellow) continue;
-    const Eigen::Vector2d place = now_from_measured * Eigen::Vector2d(feature->x, feature->y);
-    if (state.axis().project(place).lateral > 0) ++on_left;
-    if (++count == kFewYellow) yellow_begin_ = feature->x;
-    if (count > kFewYellow) yellow_end_ = feature->x;
-  }
-  const bool on_both_sides = std::min(on_left, count - on_left) >= kFewYellow;
-  if (count < kEnoughYellow || !on_both_sides) yellow_begin_ = 1e9;
-}
-
-bool PaintUpdate::is_void(const Feature& feature) const {
-  return feature.marking.colour == MarkingColour::white && feature.x >= yellow_begin_ &&
-         feature.x <= yellow_end_;
-}
-
-/// A line whose paint is again and again beside it has gone its own way: an exit, a lane that ends.
-void PaintUpdate::let_go(RoadState& state) {
-  for (std::size_t i = 0; i < state.lines().size(); ++i) {
-    RoadLine& line = state.lines()[i];
-    const Near& near = near_[i];
-    line.density += kDensityGain * (static_cast<double>(near.on) - line.density);
-    const std::size_t more = std::max(near.left, near.right);
-    const bool pulled = more >= kPulling && more > 4 * std::min(near.left, near.right);
-    line.pull = pulled ? line.pull + 1 : line.pull * 0.6;
-    if (line.pull < kPulledFrames) continue;
-    line.pull = 1;
-    state.free_line(line, near.from - kFreedBefore, kFreedSigma);
-  }
 }
 
 void PaintUpdate::take_headings(const FeatureSet& set, const Pose2& now_from_measured, RoadState& state) {
@@ -131,10 +83,11 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   state.rebuild_axis();
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
-  for (const RoadLine& line : state.lines()) {
-    const auto foot = state.axis().project(corrected(middle, now_from_measured, state).point);
-    const Eigen::Vector2d beside(middle.x(), state.offset(line, foot.place.station) - foot.lateral);
-    const double variance = state.numbers().variance(row_of(line, beside, now_from_measured, state));
+  const RoadState& from = known(state);
+  for (const RoadLine& line : from.lines()) {
+    const auto foot = from.axis().project(corrected(middle, now_from_measured, from).point);
+    const Eigen::Vector2d beside(middle.x(), from.offset(line, foot.place.station) - foot.lateral);
+    const double variance = from.numbers().variance(row_of(line, beside, now_from_measured, from));
     gates_.push_back(std::sqrt(variance));
     given_[gates_.size() - 1].clear();
   }
@@ -147,9 +100,10 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   for (; next_ < by_range_.size() && by_range_[next_]->x < end; ++next_) {
     if (ambiguous || is_void(*by_range_[next_])) continue;
     if (by_range_[next_]->x < kNearPaint) ++near_paint_.seen;
-    give(*by_range_[next_], now_from_measured, state);
+    give(*by_range_[next_], now_from_measured, from);
   }
-  if (!labelled && !is_explained(strays, state)) return false;
+  if (!labelled && !is_explained(strays, from)) return false;
+  if (before_frame_) look_again(now_from_measured, state);
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
     near_[i].on += given_[i].size();
     // What few features there are where a line has no paint are of something else.
@@ -157,34 +111,6 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
     used_ += take_line(state.lines()[i], given_[i], now_from_measured, state);
   }
   return true;
-}
-
-/// Whether the lines may be what the band shows. Where all of them are taken for their neighbours, all but
-/// one find paint; that one finds none, and there is paint a lane beyond the other side: then none of it is
-/// believed.
-bool PaintUpdate::is_explained(std::size_t first_stray, const RoadState& state) {
-  const auto& lines = state.lines();
-  if (lines.size() < 3 || state.usual_step() < kRestless) return true;
-  std::size_t left = 0;
-  std::size_t right = 0;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (state.offset(lines[i], kNear) > state.offset(lines[left], kNear)) left = i;
-    if (state.offset(lines[i], kNear) < state.offset(lines[right], kNear)) right = i;
-  }
-  std::size_t beyond_left = 0;
-  std::size_t beyond_right = 0;
-  for (std::size_t i = first_stray; i < strays_.size(); ++i) {
-    const StrayPaint& stray = strays_[i];
-    const double from_left = stray.lateral - state.offset(lines[left], stray.station);
-    const double from_right = state.offset(lines[right], stray.station) - stray.lateral;
-    if (from_left > kBeyond && from_left < kNextLane) ++beyond_left;
-    if (from_right > kBeyond && from_right < kNextLane) ++beyond_right;
-  }
-  const bool aside = (beyond_left >= kFewInBand && given_[right].empty()) ||
-                     (beyond_right >= kFewInBand && given_[left].empty());
-  if (!aside) return true;
-  strays_.resize(first_stray);
-  return false;
 }
 
 void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state) {
@@ -217,6 +143,18 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
     }
   }
   strays_.push_back({foot.place.station, foot.lateral, feature.marking, feature.label});
+}
+
+/// How far the features that the frame's beginning gave to lines are from where the lines are believed to be
+/// by now: to take in what earlier bands have told already would be to believe it twice.
+void PaintUpdate::look_again(const Pose2& now_from_measured, const RoadState& state) {
+  for (std::size_t i = 0; i < state.lines().size(); ++i) {
+    for (Given& one : given_[i]) {
+      const Eigen::Vector2d seen(one.feature->x, one.feature->y);
+      const RoadAxis::Foot foot = state.axis().project(corrected(seen, now_from_measured, state).point);
+      one.residual = foot.lateral - state.offset(state.lines()[i], foot.place.station);
+    }
+  }
 }
 
 SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,12 +55,18 @@ class PaintUpdate {
 
   bool take_band(double begin, double end, const Pose2& now_from_measured, RoadState& state);
   void give(const Feature& feature, const Pose2& now_from_measured, const RoadState& state);
+  void look_again(const Pose2& now_from_measured, const RoadState& state);
+  /// By what lines are told apart: the state as it is, or as the frame found it.
+  [[nodiscard]] const RoadState& known(const RoadState& state) const {
+    return before_frame_ ? *before_frame_ : state;
+  }
   std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
                         RoadState& state);
   [[nodiscard]] SparseRow row_of(const RoadLine& line, const Eigen::Vector2d& seen,
                                  const Pose2& now_from_measured, const RoadState& state) const;
 
   RoadConfig config_;
+  std::optional<RoadState> before_frame_;  ///< only where not from near to far
   std::vector<const Feature*> by_range_;
   std::size_t next_ = 0;
   std::size_t used_ = 0;

@@ -60,11 +60,14 @@ struct VehiclesConfig {
   WanderingError driver{0.3, 25};   ///< [m] about the middle of the lane
   WanderingError sensor{0.3, 0.8};  ///< [m] of the tracks' places, shared by looks that follow each other
   double misalignment_deg = 0.08;   ///< [deg] that all tracks share
+  bool switchable = true;           ///< one that changes lane is not believed until it has settled
 };
 
 /// Settings of the road-level estimator. Measured in docs/road.md.
 struct RoadConfig {
   RoadAssociation association = RoadAssociation::gated;
+  bool range_order = true;  ///< lines are told apart from near to far, else all by what the last frame left
+  bool adapt_noise = true;  ///< how much sensors err is learned from innovations
   RoadCourseConfig course;
   RoadMotionConfig motion;
   CameraErrorsConfig camera;

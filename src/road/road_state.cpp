@@ -205,6 +205,7 @@ void RoadState::move_knots() {
 /// Sensors whose noise is not as their makers say are told from what they measure: innovations that are
 /// larger, or smaller, than their variances allow.
 void RoadState::note_surprise(double surprise) {
+  if (!config_.adapt_noise) return;
   const double memory = std::min(kSurpriseMemory, kFirstMemory + innovations_++);
   const double change = 1 + (surprise / config_.usual_surprise - 1) / memory;
   noise_scale_ = std::clamp(noise_scale_ * std::sqrt(change), kLeastScale, kMostScale);

@@ -103,6 +103,7 @@ std::size_t VehicleUpdate::take(const FeatureSet& set, const Pose2& now_from_mea
   });
   take_headings(taken_at_ ? to_seconds(set.measured_at - *taken_at_) : 0, state);
   taken_at_ = set.measured_at;
+  if (!config_.range_order) before_frame_.emplace(state).rebuild_axis();
   std::size_t used = 0;
   for (const Sighting& sighting : sightings_) {
     if (take_one(sighting, set.measured_at, state)) ++used;
@@ -177,12 +178,14 @@ RoadVehicle* VehicleUpdate::vehicle_of(const Sighting& sighting, const Reference
 
 bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& state) {
   state.rebuild_axis();
-  if (sighting.changing_lane || sighting.left == kNoLine || sighting.right == kNoLine) {
+  const bool switchable = config_.vehicles.switchable;
+  if ((switchable && sighting.changing_lane) || sighting.left == kNoLine || sighting.right == kNoLine) {
     forget(sighting.track_id, state);
     return true;
   }
   const RoadAxis::Foot foot = state.axis().project(sighting.middle);
-  const auto reference = reference_of(sighting, foot, state);
+  const RoadState& known = before_frame_ ? *before_frame_ : state;
+  const auto reference = reference_of(sighting, known.axis().project(sighting.middle), known);
   if (!reference) return false;
   RoadLine& left = state.lines()[reference->left];
   RoadLine& right = state.lines()[reference->right];
@@ -208,11 +211,12 @@ bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& stat
   vehicle->surprise += fresh * (square(residual) / expected - vehicle->surprise);
   vehicle->seen = now;
   const bool between = reference->in_lane && std::abs(aside) > kAway + std::sqrt(expected);
-  if (vehicle->surprise > kSurprising || between) {
+  if (switchable && (vehicle->surprise > kSurprising || between)) {
     if (!reference->in_lane) forget(sighting.track_id, state);
     return true;
   }
-  state.numbers().update(row, -residual, own * repeats * square(std::max(1.0, vehicle->surprise)));
+  const double doubt = switchable ? square(std::max(1.0, vehicle->surprise)) : 1;
+  state.numbers().update(row, -residual, own * repeats * doubt);
   if (!reference->in_lane) return true;
   ++left.witnessed;
   ++right.witnessed;

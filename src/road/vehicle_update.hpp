@@ -56,6 +56,7 @@ class VehicleUpdate {
   bool take_one(const Sighting& sighting, Time now, RoadState& state);
 
   RoadConfig config_;
+  std::optional<RoadState> before_frame_;  ///< only where not from near to far
   std::vector<Sighting> sightings_;
   std::vector<Sighting> strays_;
   std::optional<Time> taken_at_;

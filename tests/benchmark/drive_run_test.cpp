@@ -16,10 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-DriveJob short_job(const std::string& variant = "full") {
+DriveJob short_job(const std::string& variant = "full", const std::string& estimator = "graph") {
   DriveJob job;
   job.key.km = 0.3;
   job.key.variant = variant;
+  job.key.estimator = estimator;
   return job;
 }
 
@@ -52,11 +53,14 @@ TEST(DriveRun, GivesTheSameTwiceAndTimesOnlyWithAClock) {
 }
 
 TEST(DriveRun, EveryVariantMakesADifference) {
-  const Json full = driven(short_job()).at("lanes");
-  for (const Variant& variant : variants().subspan(1)) {
-    // So short a drive need not hold a lane change that would switch anything off.
-    if (variant.name == "no-switches") continue;
-    EXPECT_NE(driven(short_job(std::string(variant.name))).at("lanes"), full) << variant.name;
+  for (const char* estimator : {"graph", "road"}) {
+    const Json full = driven(short_job("full", estimator)).at("lanes");
+    for (const Variant& variant : variants().subspan(1)) {
+      if (!has_piece(variant, estimator)) continue;
+      // So short a drive need not hold a lane change that would switch anything off.
+      if (variant.name == "no-switches") continue;
+      EXPECT_NE(driven(short_job(std::string(variant.name), estimator)).at("lanes"), full) << variant.name;
+    }
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,10 +17,20 @@
 namespace lanefuse {
 namespace {
 
+using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
+
+/// The ablations of an estimator.
+std::vector<std::string> names_of(const std::string& estimator) {
+  std::vector<std::string> names = variant_names();
+  std::erase_if(names, [&](const std::string& name) { return !has_piece(find_variant(name), estimator); });
+  return names;
+}
 
 TEST(Seeds, AreListsAndRanges) {
   EXPECT_THAT(parse_seeds("7"), ElementsAre(7U));
@@ -44,8 +56,35 @@ TEST(Suites, NominalIsBothRoadsOfTheFullSystem) {
 
 TEST(Suites, AblationsAreEveryVariantOnTheGentleRoad) {
   const auto drives = drives_of({.suite = "ablations"});
-  EXPECT_THAT(drives, SizeIs(variants().size()));
+  EXPECT_THAT(drives, SizeIs(names_of("graph").size()));
   EXPECT_THAT(drives, Each(Field(&DriveKey::road, "gentle")));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::estimator, "graph")));
+}
+
+TEST(Suites, RoadAblationsAreThoseOfTheRoadLevelEstimator) {
+  const auto drives = drives_of({.suite = "road-ablations"});
+  EXPECT_THAT(drives, SizeIs(names_of("road").size()));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::road, "gentle")));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::estimator, "road")));
+  EXPECT_THAT(drives, Each(Field(&DriveKey::km, 24)));
+  EXPECT_THAT(drives, Contains(Field(&DriveKey::variant, "full")));
+  EXPECT_THAT(drives, Contains(Field(&DriveKey::variant, "no-objects")));
+  EXPECT_THAT(drives, Contains(Field(&DriveKey::variant, "no-pitch")));
+  EXPECT_THAT(drives, Not(Contains(Field(&DriveKey::variant, "no-width"))));
+}
+
+TEST(Suites, AllVariantsAreThoseThatEachEstimatorHas) {
+  const auto drives = drives_of({.suite = "ablations", .estimators = {"graph", "road"}});
+  EXPECT_THAT(drives, SizeIs(names_of("graph").size() + names_of("road").size()));
+}
+
+TEST(Suites, AVariantOfTheOtherEstimatorIsRefused) {
+  EXPECT_THROW(drives_of({.variant = "no-pitch"}), Error);
+  EXPECT_THROW(drives_of({.variant = "no-width", .estimators = {"graph", "road"}}), Error);
+  EXPECT_THROW(drives_of({.suite = "road-ablations", .variant = "no-width"}), Error);
+  EXPECT_THAT(drives_of({.road = "curved", .variant = "no-pitch", .estimators = {"road"}}), SizeIs(1));
+  EXPECT_THAT(drives_of({.road = "curved", .variant = "no-objects", .estimators = {"graph", "road"}}),
+              SizeIs(2));
 }
 
 TEST(Suites, CoverageIsShortDrivesOnBothRoads) {
@@ -78,7 +117,7 @@ TEST(Suites, ASceneIsDrivenOnItsOwnRoad) {
 TEST(Suites, ComeSeedBySeed) {
   const auto drives = drives_of({.suite = "ablations", .seeds = {5, 3}});
   EXPECT_EQ(drives.front().seed, 5U);
-  EXPECT_EQ(drives[variants().size() - 1].seed, 5U);
+  EXPECT_EQ(drives[names_of("graph").size() - 1].seed, 5U);
   EXPECT_EQ(drives.back().seed, 3U);
 }
 
@@ -131,16 +170,41 @@ TEST(Suites, UnknownNamesAreRefused) {
 }
 
 TEST(Variants, EachTakesSomethingAway) {
-  const std::string full = fingerprint(configure(variants().front(), "graph", {}));
-  std::set<std::string> names;
-  for (const Variant& variant : variants()) {
-    EXPECT_TRUE(names.insert(std::string(variant.name)).second) << variant.name;
-    SimulationConfig simulation;
-    variant.leave_out(simulation);
-    const bool all_sensors =
-        simulation.serial_camera && simulation.high_resolution_camera && simulation.objects;
-    const bool as_full = all_sensors && fingerprint(configure(variant, "graph", {})) == full;
-    EXPECT_EQ(as_full, variant.name == variants().front().name) << variant.name;
+  for (const char* estimator : {"graph", "road"}) {
+    const std::string full = fingerprint(configure(variants().front(), estimator, {}));
+    std::set<std::string> names;
+    for (const std::string& name : names_of(estimator)) {
+      const Variant& variant = find_variant(name);
+      EXPECT_TRUE(names.insert(name).second) << name;
+      SimulationConfig simulation;
+      variant.leave_out(simulation);
+      const bool all_sensors =
+          simulation.serial_camera && simulation.high_resolution_camera && simulation.objects;
+      const bool as_full = all_sensors && fingerprint(configure(variant, estimator, {})) == full;
+      EXPECT_EQ(as_full, name == variants().front().name) << name;
+    }
+  }
+}
+
+TEST(Variants, MayHoldSeveralSettings) {
+  const RoadConfig road = configure(find_variant("no-yaw-bias"), "road", {}).road;
+  EXPECT_EQ(road.camera.yaw_deg.sigma, 1e-6);
+  EXPECT_EQ(road.tracked_lane.yaw_deg.sigma, 1e-6);
+  EXPECT_EQ(road.camera.pitch_deg.sigma, RoadConfig{}.camera.pitch_deg.sigma);
+}
+
+TEST(Variants, OfTheOtherEstimatorAreRefusedWithThoseThereAre) {
+  EXPECT_THROW(configure(find_variant("no-width"), "road", {}), Error);
+  EXPECT_THROW(configure(find_variant("no-width"), "oracle", {}), Error);
+  EXPECT_NO_THROW(configure(find_variant("no-pitch"), "oracle", {}));
+  try {
+    configure(find_variant("no-pitch"), "graph", {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no-pitch"));
+    EXPECT_THAT(error.what(), HasSubstr("graph"));
+    EXPECT_THAT(error.what(), HasSubstr("no-switches"));
+    EXPECT_THAT(error.what(), Not(HasSubstr("no-lean")));
   }
 }
 

@@ -268,8 +268,15 @@ class List(BenchmarkTest):
                          {"full", "no-objects", "no-high-resolution-camera", "no-serial-camera", "no-width", "no-smoothing",
                           "no-switches"})
         self.assertEqual({(drive["scene"], drive["road"], drive["km"]) for drive in listed}, {("nominal", "gentle", 24)})
+        self.assertEqual({drive["estimator"] for drive in listed}, {"graph"})
         text = self.call("benchmark", "--suite", "ablations", "--seeds", "4,5", "--list").stdout
         self.assertEqual(len(text.splitlines()), len(listed))
+
+    def test_the_road_level_estimator_has_ablations_of_its_own(self):
+        listed = self.succeed("benchmark", "--suite", "road-ablations", "--seeds", "4", "--list")
+        self.assertEqual({drive["estimator"] for drive in listed}, {"road"})
+        self.assertTrue({"full", "no-objects", "no-yaw-bias", "no-range-order"} <= {drive["variant"] for drive in listed})
+        self.refuse(2, "benchmark", "--variant", "no-pitch", "--list", naming="no-pitch")
 
     def test_the_array_script_drives_them_one_process_each(self):
         script = program.SOURCE / "tools" / "benchmark-slurm.sh"

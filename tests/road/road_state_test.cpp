@@ -200,5 +200,18 @@ TEST(RoadState, AFreedLineIsUncertainFromThereOn) {
   EXPECT_EQ(state.variance(state.lines()[1], 120), other);
 }
 
+TEST(RoadState, LearnsHowMuchSensorsErrUnlessThatIsTakenAway) {
+  RoadConfig config;
+  RoadState learning{config};
+  config.adapt_noise = false;
+  RoadState believing{config};
+  for (int i = 0; i < 1000; ++i) {
+    learning.note_surprise(4 * config.usual_surprise);
+    believing.note_surprise(4 * config.usual_surprise);
+  }
+  EXPECT_GT(learning.noise_scale(), 1.5);
+  EXPECT_EQ(believing.noise_scale(), 1);
+}
+
 }  // namespace
 }  // namespace lanefuse
