@@ -19,7 +19,7 @@ using testing::SimulatedDrive;
 /// A sound drive and its lanes: what damaged ones are compared with.
 class SoundDrive {
  protected:
-  explicit SoundDrive(EstimatorKind kind) { config_.estimator = kind; }
+  explicit SoundDrive(EstimatorKind kind) : config_(fused_by(kind)) {}
 
   [[nodiscard]] std::vector<LaneEstimate> lanes_of(const std::vector<Measurement>& stream) const {
     MultiLanePerception perception(config_, drive_.rig);
@@ -31,7 +31,13 @@ class SoundDrive {
     EXPECT_EQ(testing::first_difference(sound_, estimates), sound_.size()) << "the first cycle that differs";
   }
 
-  PerceptionConfig config_;
+  static PerceptionConfig fused_by(EstimatorKind kind) {
+    PerceptionConfig config;
+    config.estimator = kind;
+    return config;
+  }
+
+  const PerceptionConfig config_;
   const SimulatedDrive drive_ = testing::short_drive();
   const std::vector<LaneEstimate> sound_ = [this] { return lanes_of(drive_.measurements); }();
 };
