@@ -19,10 +19,10 @@ constexpr double kApart = 2.0;   ///< [m] between lines
 constexpr double kOffMiddle = 0.4;  ///< [m] sigma of a first lane's place
 constexpr std::size_t kMost = 16;
 
-const RoadLine* line_near(const RoadState& state, double lateral) {
-  const RoadLine* nearest = nullptr;
+const KnownLine* line_near(const RoadState& state, double lateral) {
+  const KnownLine* nearest = nullptr;
   double least = kAnEdge;
-  for (const RoadLine& line : state.lines()) {
+  for (const KnownLine& line : state.lines()) {
     const double away = std::abs(state.offset(line, 20) - lateral);
     if (away >= least) continue;
     nearest = &line;
@@ -32,7 +32,7 @@ const RoadLine* line_near(const RoadState& state, double lateral) {
 }
 
 bool is_apart(const RoadState& state, double lateral) {
-  return std::all_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& line) {
+  return std::all_of(state.lines().begin(), state.lines().end(), [&](const KnownLine& line) {
     return std::abs(state.offset(line, 20) - lateral) > kApart;
   });
 }
@@ -79,8 +79,8 @@ void LaneBirths::found_lanes(const LaneWidth& width, RoadState& state) {
 }
 
 void LaneBirths::found_lane(double middle, const LaneWidth& width, RoadState& state) {
-  const RoadLine* left = line_near(state, middle + width.mean / 2);
-  const RoadLine* right = line_near(state, middle - width.mean / 2);
+  const KnownLine* left = line_near(state, middle + width.mean / 2);
+  const KnownLine* right = line_near(state, middle - width.mean / 2);
   if (left && right) return;
   if (left) {
     const double place = state.offset(*left, 20) - width.mean;
@@ -89,7 +89,7 @@ void LaneBirths::found_lane(double middle, const LaneWidth& width, RoadState& st
     const double place = state.offset(*right, 20) + width.mean;
     if (is_apart(state, place)) state.add_line_beside(right->id, width.mean, width.standard_deviation);
   } else if (is_apart(state, middle + width.mean / 2) && is_apart(state, middle - width.mean / 2)) {
-    const RoadLine* line = state.add_line(middle + width.mean / 2, kOffMiddle);
+    const KnownLine* line = state.add_line(middle + width.mean / 2, kOffMiddle);
     if (!line) return;
     state.add_line_beside(line->id, -width.mean, width.standard_deviation);
   }

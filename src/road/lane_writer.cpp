@@ -34,8 +34,8 @@ void LaneWriter::clear() {
 
 void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
   from_left_.clear();
-  for (const RoadLine& line : state.lines()) from_left_.push_back(&line);
-  std::sort(from_left_.begin(), from_left_.end(), [&](const RoadLine* a, const RoadLine* b) {
+  for (const KnownLine& line : state.lines()) from_left_.push_back(&line);
+  std::sort(from_left_.begin(), from_left_.end(), [&](const KnownLine* a, const KnownLine* b) {
     // Where both are: a line that begins ahead may begin on another.
     const double at = std::max({kSortAt, a->begin + kSortAt, b->begin + kSortAt});
     const double at_a = state.offset(*a, at);
@@ -44,7 +44,7 @@ void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
   });
   for (Boundary& old : estimate.boundaries) spare_points_.push_back(std::move(old.points));
   estimate.boundaries.clear();
-  for (const RoadLine* line : from_left_) {
+  for (const KnownLine* line : from_left_) {
     Boundary& boundary = estimate.boundaries.emplace_back();
     if (!spare_points_.empty()) {
       boundary.points.swap(spare_points_.back());
@@ -55,7 +55,7 @@ void LaneWriter::write(const RoadState& state, LaneEstimate& estimate) {
   write_lanes(state, estimate);
 }
 
-void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary) {
+void LaneWriter::write_boundary(const RoadState& state, const KnownLine& line, Boundary& boundary) {
   boundary.id = line.id;
   boundary.marking = line.marking;
   boundary.confidence = 1 - std::exp(-(line.seen_for + 5) / 30);
@@ -66,14 +66,14 @@ void LaneWriter::write_boundary(const RoadState& state, const RoadLine& line, Bo
   fit_clothoid(state, line, boundary);
 }
 
-double LaneWriter::sigma_of(const RoadState& state, const RoadLine& line, double station) const {
+double LaneWriter::sigma_of(const RoadState& state, const KnownLine& line, double station) const {
   const double of_height = config_.height_error * state.offset(line, station);
   const double of_bends = 1 + config_.bend_doubt * state.usual_step();
   const double of_state = of_bends * std::max(0.0, state.variance(line, station));
   return config_.sigma_scale * std::sqrt(of_state + square(of_height));
 }
 
-void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boundary& boundary) {
+void LaneWriter::write_points(const RoadState& state, const KnownLine& line, Boundary& boundary) {
   boundary.points.clear();
   const RoadAxis& axis = state.axis();
   double x = 0;
@@ -110,7 +110,7 @@ void LaneWriter::write_points(const RoadState& state, const RoadLine& line, Boun
   boundary.range_end = boundary.points.empty() ? -1 : boundary.points.back().x;
 }
 
-void LaneWriter::fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const {
+void LaneWriter::fit_clothoid(const RoadState& state, const KnownLine& line, Boundary& boundary) const {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (const BoundaryPoint& point : boundary.points) {
@@ -170,8 +170,8 @@ LaneWriter::Stretch LaneWriter::lane_stretch(const Boundary& left, const Boundar
 /// An outermost lane that is narrower than the others and that nobody has ever driven on is a shoulder, or
 /// the gap between the edge and a guard rail that shines.
 bool LaneWriter::is_shoulder(const RoadState& state, std::size_t left, double usual_width) const {
-  const RoadLine& a = *from_left_[left];
-  const RoadLine& b = *from_left_[left + 1];
+  const KnownLine& a = *from_left_[left];
+  const KnownLine& b = *from_left_[left + 1];
   const bool outermost = left == 0 || left + 2 == from_left_.size();
   const double at = std::max({10.0, a.begin, b.begin});
   const double width = state.offset(a, at) - state.offset(b, at);

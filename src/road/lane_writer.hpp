@@ -27,10 +27,10 @@ class LaneWriter {
     std::uint64_t id = 0;
   };
 
-  void write_boundary(const RoadState& state, const RoadLine& line, Boundary& boundary);
-  [[nodiscard]] double sigma_of(const RoadState& state, const RoadLine& line, double station) const;
-  void write_points(const RoadState& state, const RoadLine& line, Boundary& boundary);
-  void fit_clothoid(const RoadState& state, const RoadLine& line, Boundary& boundary) const;
+  void write_boundary(const RoadState& state, const KnownLine& line, Boundary& boundary);
+  [[nodiscard]] double sigma_of(const RoadState& state, const KnownLine& line, double station) const;
+  void write_points(const RoadState& state, const KnownLine& line, Boundary& boundary);
+  void fit_clothoid(const RoadState& state, const KnownLine& line, Boundary& boundary) const;
   struct Stretch {
     double begin = 0;
     double end = -1;
@@ -43,7 +43,7 @@ class LaneWriter {
   std::uint64_t lane_id(std::uint64_t left, std::uint64_t right);
 
   RoadConfig config_;
-  std::vector<const RoadLine*> from_left_;
+  std::vector<const KnownLine*> from_left_;
   std::vector<std::vector<BoundaryPoint>> spare_points_;
   std::vector<KnownLane> known_lanes_;
   std::uint64_t next_lane_ = 1;

@@ -76,7 +76,7 @@ bool LineBirths::is_line(const Candidate& candidate, const RoadState& state) con
   if (candidate.frames < kFrames || candidate.weight < kPerFrame * candidate.frames) return false;
   if (candidate.end - candidate.begin < kLength) return false;
   const double middle = std::max(0.0, (candidate.begin + candidate.end) / 2);
-  return std::all_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& line) {
+  return std::all_of(state.lines().begin(), state.lines().end(), [&](const KnownLine& line) {
     return std::abs(state.offset(line, middle) - candidate.lateral) > kApart;
   });
 }
@@ -87,7 +87,7 @@ void LineBirths::found_lines(RoadState& state) {
       ++c;
       continue;
     }
-    if (RoadLine* line = state.add_line(c->lateral, 0.3)) {
+    if (KnownLine* line = state.add_line(c->lateral, 0.3)) {
       line->label = c->label;
       if (c->begin > kSeenFromNear) line->begin = c->begin;
     }
@@ -97,9 +97,9 @@ void LineBirths::found_lines(RoadState& state) {
 
 /// Whether it bounds neither the car's own lane nor one further out: nothing but its own paint and vehicles
 /// beside it say that it is still there.
-bool LineBirths::is_outermost(const RoadLine& line, const RoadState& state) {
+bool LineBirths::is_outermost(const KnownLine& line, const RoadState& state) {
   const double beside = state.offset(line, 0);
-  return std::none_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& other) {
+  return std::none_of(state.lines().begin(), state.lines().end(), [&](const KnownLine& other) {
     const double further = state.offset(other, 0) - beside;
     return beside > 0 ? further > 0.1 || beside < kEgoEdge : further < -0.1 || beside > -kEgoEdge;
   });
@@ -107,13 +107,13 @@ bool LineBirths::is_outermost(const RoadLine& line, const RoadState& state) {
 
 void LineBirths::forget_lines(RoadState& state) const {
   const bool camera_sees = std::any_of(state.lines().begin(), state.lines().end(),
-                                       [](const RoadLine& line) { return line.density > kSeen; });
+                                       [](const KnownLine& line) { return line.density > kSeen; });
   for (std::size_t i = state.lines().size(); i-- > 0;) {
-    const RoadLine& line = state.lines()[i];
+    const KnownLine& line = state.lines()[i];
     const double unseen = state.driven() - line.seen_at;
     const bool gone = camera_sees && unseen > kGone && is_outermost(line, state);
     const bool lost = unseen > kForgotten || std::abs(state.offset(line, 0)) > kFarAside + 2;
-    const auto same_as = [&](const RoadLine& older) {
+    const auto same_as = [&](const KnownLine& older) {
       if (older.id >= line.id) return false;
       return std::abs(state.offset(older, 0) - state.offset(line, 0)) < kOneLine &&
              std::abs(state.offset(older, 60) - state.offset(line, 60)) < kOneLine;

@@ -35,7 +35,7 @@ class LineBirths {
     LineLabel label = kNoLabel;
     bool in_frame = false;
   };
-  static bool is_outermost(const RoadLine& line, const RoadState& state);
+  static bool is_outermost(const KnownLine& line, const RoadState& state);
   [[nodiscard]] bool is_line(const Candidate& candidate, const RoadState& state) const;
 
   RoadConfig config_;

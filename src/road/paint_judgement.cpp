@@ -51,7 +51,7 @@ bool PaintUpdate::is_void(const Feature& feature) const {
 /// A line whose paint is again and again beside it has gone its own way: an exit, a lane that ends.
 void PaintUpdate::let_go(RoadState& state) {
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
-    RoadLine& line = state.lines()[i];
+    KnownLine& line = state.lines()[i];
     const Near& near = near_[i];
     line.density += kDensityGain * (static_cast<double>(near.on) - line.density);
     const std::size_t more = std::max(near.left, near.right);

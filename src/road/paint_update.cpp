@@ -84,7 +84,7 @@ bool PaintUpdate::take_band(double begin, double end, const Pose2& now_from_meas
   gates_.clear();
   const Eigen::Vector2d middle((begin + end) / 2, 0);
   const RoadState& from = known(state);
-  for (const RoadLine& line : from.lines()) {
+  for (const KnownLine& line : from.lines()) {
     const auto foot = from.axis().project(corrected(middle, now_from_measured, from).point);
     const Eigen::Vector2d beside(middle.x(), from.offset(line, foot.place.station) - foot.lateral);
     const double variance = from.numbers().variance(row_of(line, beside, now_from_measured, from));
@@ -122,7 +122,7 @@ void PaintUpdate::give(const Feature& feature, const Pose2& now_from_measured, c
   std::size_t nearest = state.lines().size();
   double least = 1e9;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
-    const RoadLine& line = state.lines()[i];
+    const KnownLine& line = state.lines()[i];
     const double residual = foot.lateral - state.offset(line, foot.place.station);
     const bool candidate =
         labelled ? line.label == feature.label && feature.label >= 0 : std::abs(residual) < std::abs(least);
@@ -157,7 +157,7 @@ void PaintUpdate::look_again(const Pose2& now_from_measured, const RoadState& st
   }
 }
 
-SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,
+SparseRow PaintUpdate::row_of(const KnownLine& line, const Eigen::Vector2d& seen,
                               const Pose2& now_from_measured, const RoadState& state) const {
   const SeenPaint paint = corrected(seen, now_from_measured, state);
   const RoadAxis::Foot foot = state.axis().project(paint.point);
@@ -174,7 +174,7 @@ SparseRow PaintUpdate::row_of(const RoadLine& line, const Eigen::Vector2d& seen,
   return row;
 }
 
-std::size_t PaintUpdate::take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
+std::size_t PaintUpdate::take_line(KnownLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
                                    RoadState& state) {
   const auto middle = given.begin() + static_cast<std::ptrdiff_t>(given.size() / 2);
   std::nth_element(given.begin(), middle, given.end(),

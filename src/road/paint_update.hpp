@@ -60,9 +60,9 @@ class PaintUpdate {
   [[nodiscard]] const RoadState& known(const RoadState& state) const {
     return before_frame_ ? *before_frame_ : state;
   }
-  std::size_t take_line(RoadLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
+  std::size_t take_line(KnownLine& line, std::vector<Given>& given, const Pose2& now_from_measured,
                         RoadState& state);
-  [[nodiscard]] SparseRow row_of(const RoadLine& line, const Eigen::Vector2d& seen,
+  [[nodiscard]] SparseRow row_of(const KnownLine& line, const Eigen::Vector2d& seen,
                                  const Pose2& now_from_measured, const RoadState& state) const;
 
   RoadConfig config_;

@@ -50,7 +50,7 @@ const LaneEstimate& RoadEstimator::process(const Cycle& cycle) {
   estimate_.yaw_rate = cycle.motion.back().yaw_rate;
   drive(odometry_from_vehicle, cycle.time);
   debug_.features.clear();
-  for (RoadLine& line : state_.lines()) line.paint = line.tracked = line.witnessed = 0;
+  for (KnownLine& line : state_.lines()) line.paint = line.tracked = line.witnessed = 0;
   stage_done_(Stage::association);
   for (const FeatureSet& set : cycle.features) {
     const FeatureSet& possible = impossible_.sort_out(set);
@@ -123,7 +123,7 @@ void RoadEstimator::take(const FeatureSet& set, const Cycle& cycle, const Pose2&
   used = std::min(used, items);
   estimate_.inputs.used += used;
   estimate_.inputs.dropped += items - used;
-  for (RoadLine& line : state_.lines()) {
+  for (KnownLine& line : state_.lines()) {
     if (line.paint + line.tracked + line.witnessed == 0 || line.seen_at == state_.driven()) continue;
     line.seen_for += std::min(20.0, state_.driven() - line.seen_at);
     line.seen_at = state_.driven();

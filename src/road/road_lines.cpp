@@ -14,11 +14,11 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-RoadLine* RoadState::add_line(double offset, double sigma) {
+KnownLine* RoadState::add_line(double offset, double sigma) {
   if (lines_.size() == kMostLines || !numbers_.has_room(kOffsets)) return nullptr;
   // Lines stand before vehicles: those make room.
   while (!vehicles_.empty()) remove_vehicle(vehicles_.size() - 1);
-  RoadLine& line = lines_.emplace_back();
+  KnownLine& line = lines_.emplace_back();
   line.id = next_line_++;
   line.first = numbers_.append(offset, square(sigma));
   for (int k = 1; k < kOffsets; ++k) {
@@ -30,12 +30,12 @@ RoadLine* RoadState::add_line(double offset, double sigma) {
   return &line;
 }
 
-RoadLine* RoadState::add_line_beside(std::uint64_t known, double distance, double sigma) {
-  const RoadLine* beside = find_line(known);
+KnownLine* RoadState::add_line_beside(std::uint64_t known, double distance, double sigma) {
+  const KnownLine* beside = find_line(known);
   if (!beside || lines_.size() == kMostLines || !numbers_.has_room(kOffsets)) return nullptr;
   while (!vehicles_.empty()) remove_vehicle(vehicles_.size() - 1);
   const int first = beside->first;
-  RoadLine& line = lines_.emplace_back();
+  KnownLine& line = lines_.emplace_back();
   line.id = next_line_++;
   SparseRow same;
   same.add(first, 1);
@@ -59,7 +59,7 @@ void RoadState::remove_line(std::size_t line) {
   for (RoadVehicle& vehicle : vehicles_) vehicle.index -= kOffsets;
 }
 
-void RoadState::free_line(const RoadLine& line, double station, double sigma) {
+void RoadState::free_line(const KnownLine& line, double station, double sigma) {
   for (int k = 0; k < kOffsets; ++k) {
     if (first_offset_ + k * kOffsetSpacing < station) continue;
     numbers_.add_noise(line.first + k, square(sigma));
@@ -89,19 +89,19 @@ void RoadState::remove_vehicle(std::size_t vehicle) {
   for (std::size_t i = vehicle; i < vehicles_.size(); ++i) --vehicles_[i].index;
 }
 
-const RoadLine* RoadState::find_line(std::uint64_t id) const {
+const KnownLine* RoadState::find_line(std::uint64_t id) const {
   const auto found =
-      std::find_if(lines_.begin(), lines_.end(), [id](const RoadLine& line) { return line.id == id; });
+      std::find_if(lines_.begin(), lines_.end(), [id](const KnownLine& line) { return line.id == id; });
   return found == lines_.end() ? nullptr : &*found;
 }
 
-double RoadState::offset(const RoadLine& line, double station) const {
+double RoadState::offset(const KnownLine& line, double station) const {
   const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
   return w.of_first * numbers_.mean(line.first + w.first) +
          w.of_second * numbers_.mean(line.first + w.first + 1);
 }
 
-double RoadState::slope(const RoadLine& line, double station) const {
+double RoadState::slope(const KnownLine& line, double station) const {
   const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
   return (numbers_.mean(line.first + w.first + 1) - numbers_.mean(line.first + w.first)) / kOffsetSpacing;
 }
@@ -113,7 +113,7 @@ void RoadState::add_lateral(SparseRow& row, const RoadAxis::Place& at, double fa
   }
 }
 
-void RoadState::add_offset(SparseRow& row, const RoadLine& line, double station, double factor) const {
+void RoadState::add_offset(SparseRow& row, const KnownLine& line, double station, double factor) const {
   const KnotWeights w = knot_weights(station, first_offset_, kOffsetSpacing, kOffsets);
   row.add(line.first + w.first, factor * w.of_first);
   row.add(line.first + w.first + 1, factor * w.of_second);
@@ -134,7 +134,7 @@ void RoadState::add_relative_height(SparseRow& row, double station, double facto
   }
 }
 
-double RoadState::variance(const RoadLine& line, double station) const {
+double RoadState::variance(const KnownLine& line, double station) const {
   SparseRow row;
   add_lateral(row, axis_.at(station), -1);
   add_offset(row, line, station);

@@ -150,7 +150,7 @@ void RoadState::drive(const Pose2& before_from_now, double seconds) {
     further.add(kSpeedScale, rate * along);
     numbers_.transform(kCurvatures + k, 1, further, 0);
   }
-  for (RoadLine& line : lines_) line.begin -= along;
+  for (KnownLine& line : lines_) line.begin -= along;
   first_knot_ -= along;
   first_offset_ -= along;
   driven_ += along;
@@ -192,7 +192,7 @@ void RoadState::move_knots() {
     first_knot_ += RoadAxis::kKnotSpacing;
   }
   while (first_offset_ + kOffsetSpacing < -kBehind) {
-    for (const RoadLine& line : lines_) {
+    for (const KnownLine& line : lines_) {
       SparseRow before;
       before.add(line.first + kOffsets - 2, 1);
       numbers_.shift(line.first, kOffsets, before, square(course.offset_step));

@@ -17,7 +17,7 @@ inline constexpr double kEverywhere = -1e9;  ///< [m] begins, as far as anyone k
 
 /// A line along the road, painted or only witnessed. Its lateral offsets from the axis are numbers of the
 /// state.
-struct RoadLine {
+struct KnownLine {
   std::uint64_t id = 0;
   int first = 0;  ///< of its offsets in the state
   LineLabel label = kNoLabel;
@@ -88,15 +88,15 @@ class RoadState {
   /// To be called when the numbers have changed and before the axis is looked at.
   void rebuild_axis();
 
-  [[nodiscard]] std::vector<RoadLine>& lines() { return lines_; }
-  [[nodiscard]] const std::vector<RoadLine>& lines() const { return lines_; }
+  [[nodiscard]] std::vector<KnownLine>& lines() { return lines_; }
+  [[nodiscard]] const std::vector<KnownLine>& lines() const { return lines_; }
   [[nodiscard]] std::vector<RoadVehicle>& vehicles() { return vehicles_; }
   [[nodiscard]] const std::vector<RoadVehicle>& vehicles() const { return vehicles_; }
 
   /// Adds a line `offset` left of the axis, as well known as `sigma`; null where there is no room.
-  RoadLine* add_line(double offset, double sigma);
+  KnownLine* add_line(double offset, double sigma);
   /// Adds a line that is `distance` left of a known one, all along, give or take `sigma`.
-  RoadLine* add_line_beside(std::uint64_t known, double distance, double sigma);
+  KnownLine* add_line_beside(std::uint64_t known, double distance, double sigma);
   void remove_line(std::size_t line);
   RoadVehicle* add_vehicle(std::int64_t track_id);
   /// A vehicle in nobody knows which lane: where it is says nothing, how it moves does.
@@ -113,21 +113,21 @@ class RoadState {
   /// Lets the road bend from a station on as no road behind did.
   void free_course(double station);
   /// Lets the line go its own way from a station on: its offsets there are as uncertain as `sigma`.
-  void free_line(const RoadLine& line, double station, double sigma);
-  [[nodiscard]] const RoadLine* find_line(std::uint64_t id) const;
+  void free_line(const KnownLine& line, double station, double sigma);
+  [[nodiscard]] const KnownLine* find_line(std::uint64_t id) const;
 
   /// A line's offset and its slope at a station.
-  [[nodiscard]] double offset(const RoadLine& line, double station) const;
-  [[nodiscard]] double slope(const RoadLine& line, double station) const;
+  [[nodiscard]] double offset(const KnownLine& line, double station) const;
+  [[nodiscard]] double slope(const KnownLine& line, double station) const;
 
   /// Adds to `row` how a point's place left of the axis, `at`, changes with the numbers of axis and heading.
   void add_lateral(SparseRow& row, const RoadAxis::Place& at, double factor = 1) const;
-  void add_offset(SparseRow& row, const RoadLine& line, double station, double factor = 1) const;
+  void add_offset(SparseRow& row, const KnownLine& line, double station, double factor = 1) const;
   /// The road's height over the plane that touches it under the car, as a share of the camera's height.
   [[nodiscard]] double relative_height(double station) const;
   void add_relative_height(SparseRow& row, double station, double factor) const;
   /// The variance of where the line is across, at a station.
-  [[nodiscard]] double variance(const RoadLine& line, double station) const;
+  [[nodiscard]] double variance(const KnownLine& line, double station) const;
 
   /// [m] from the car to the first of the curvatures' and of the offsets' knots.
   [[nodiscard]] double first_knot() const { return first_knot_; }
@@ -145,7 +145,7 @@ class RoadState {
   RoadConfig config_;
   GaussianState numbers_;
   RoadAxis axis_;
-  std::vector<RoadLine> lines_;
+  std::vector<KnownLine> lines_;
   std::vector<RoadVehicle> vehicles_;
   double first_knot_ = 0;
   double first_offset_ = 0;

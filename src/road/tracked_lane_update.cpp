@@ -33,7 +33,7 @@ std::size_t TrackedLaneUpdate::line_of(const ClothoidMeasurement& side, const Po
   std::size_t nearest = state.lines().size();
   double least = 1e9;
   for (std::size_t i = 0; i < state.lines().size(); ++i) {
-    const RoadLine& line = state.lines()[i];
+    const KnownLine& line = state.lines()[i];
     const double away = std::abs(foot.lateral - state.offset(line, foot.place.station));
     const bool labelled = config_.association == RoadAssociation::labelled;
     if (labelled ? side.label == line.label && side.label >= 0 : away < least) {
@@ -43,7 +43,7 @@ std::size_t TrackedLaneUpdate::line_of(const ClothoidMeasurement& side, const Po
   }
   if (least < kGate) return nearest;
   if (least < kFound) return state.lines().size();
-  RoadLine* line = state.add_line(foot.lateral, 0.5);
+  KnownLine* line = state.add_line(foot.lateral, 0.5);
   if (!line) return state.lines().size();
   line->label = side.label;
   return state.lines().size() - 1;
@@ -68,15 +68,15 @@ std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from
                            std::clamp(kUsualWay / std::max(moved, 1e-3), 0.1, kMostRepeats);
   for (std::size_t i = 0; i < 2; ++i) {
     if (!sides[i]) continue;
-    RoadLine& line = state.lines()[lines[i]];
+    KnownLine& line = state.lines()[lines[i]];
     given_to_[static_cast<std::size_t>(sides[i] - set.clothoids.data())] = line.id;
     ++line.tracked;
     if (sides[i]->marking.type != MarkingType::unknown) line.marking.type = sides[i]->marking.type;
     if (sides[i]->marking.colour != MarkingColour::unknown) line.marking.colour = sides[i]->marking.colour;
   }
   if (sides[0] && sides[1] && lines[0] != lines[1]) {
-    const RoadLine& l = state.lines()[lines[0]];
-    const RoadLine& r = state.lines()[lines[1]];
+    const KnownLine& l = state.lines()[lines[0]];
+    const KnownLine& r = state.lines()[lines[1]];
     take_course(*sides[0], sides[1], now_from_measured, inflation, state, l, &r);
     const double across = std::cos(sides[0]->clothoid.heading_at(0));
     const double width = (sides[0]->clothoid.lateral_offset - sides[1]->clothoid.lateral_offset) * across;
@@ -98,7 +98,7 @@ std::size_t TrackedLaneUpdate::take(const FeatureSet& set, const Pose2& now_from
 
 void TrackedLaneUpdate::take_course(const ClothoidMeasurement& side, const ClothoidMeasurement* other,
                                     const Pose2& now_from_measured, double inflation, RoadState& state,
-                                    const RoadLine& line, const RoadLine* other_line) const {
+                                    const KnownLine& line, const KnownLine* other_line) const {
   const double end = std::clamp(side.range_end, 20.0, 62.0);
   const Vector4 distances(2, end / 3, 2 * end / 3, end);
   Vector4 measured = side.clothoid.vector();

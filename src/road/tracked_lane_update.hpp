@@ -31,8 +31,8 @@ class TrackedLaneUpdate {
   std::size_t line_of(const ClothoidMeasurement& side, const Pose2& now_from_measured,
                       RoadState& state) const;
   void take_course(const ClothoidMeasurement& side, const ClothoidMeasurement* other,
-                   const Pose2& now_from_measured, double inflation, RoadState& state, const RoadLine& line,
-                   const RoadLine* other_line) const;
+                   const Pose2& now_from_measured, double inflation, RoadState& state, const KnownLine& line,
+                   const KnownLine* other_line) const;
 
   RoadConfig config_;
   std::vector<std::uint64_t> given_to_;

@@ -44,8 +44,8 @@ bool lane_at(const RoadState& state, double station, double lateral, std::size_t
 }
 
 /// Whether the road's course is known well enough there to say which lane a place is in.
-bool is_certain(const RoadState& state, const RoadAxis::Foot& foot, const RoadLine& left,
-                const RoadLine& right) {
+bool is_certain(const RoadState& state, const RoadAxis::Foot& foot, const KnownLine& left,
+                const KnownLine& right) {
   SparseRow row;
   const double station = foot.place.station;
   state.add_lateral(row, foot.place);
@@ -121,7 +121,7 @@ std::optional<VehicleUpdate::Reference> VehicleUpdate::reference_of(const Sighti
   if (config_.association == RoadAssociation::labelled && sighting.left >= 0) {
     const auto labelled = [&lines](LineLabel label) {
       return static_cast<std::size_t>(
-          std::find_if(lines.begin(), lines.end(), [label](const RoadLine& l) { return l.label == label; }) -
+          std::find_if(lines.begin(), lines.end(), [label](const KnownLine& l) { return l.label == label; }) -
           lines.begin());
     };
     lane = {labelled(sighting.left), labelled(sighting.right), true};
@@ -187,8 +187,8 @@ bool VehicleUpdate::take_one(const Sighting& sighting, Time now, RoadState& stat
   const RoadState& known = before_frame_ ? *before_frame_ : state;
   const auto reference = reference_of(sighting, known.axis().project(sighting.middle), known);
   if (!reference) return false;
-  RoadLine& left = state.lines()[reference->left];
-  RoadLine& right = state.lines()[reference->right];
+  KnownLine& left = state.lines()[reference->left];
+  KnownLine& right = state.lines()[reference->right];
   const double station = foot.place.station;
   const double aside = foot.lateral - (state.offset(left, station) + state.offset(right, station)) / 2;
   RoadVehicle* vehicle = vehicle_of(sighting, *reference, aside, now, state);

@@ -146,7 +146,7 @@ TEST(RoadEstimator, FollowsALineThatLeaves) {
     if (drive.station() < kExit + 10 || drive.station() > kExit + 25) continue;
     const RoadState& state = estimator.state();
     const double leaving = drive.lateral_of(drive.lines[3].offset, 15);
-    EXPECT_TRUE(std::any_of(state.lines().begin(), state.lines().end(), [&](const RoadLine& line) {
+    EXPECT_TRUE(std::any_of(state.lines().begin(), state.lines().end(), [&](const KnownLine& line) {
       return std::abs(state.offset(line, 15) - leaving) < 0.4;
     })) << drive.station();
   }

@@ -154,7 +154,7 @@ TEST(RoadState, KnotsMoveOverARoadThatStandsStill) {
 
 TEST(RoadState, ANewLinesOffsetsAreOnesOwn) {
   RoadState state = state_in_bend(0);
-  const RoadLine* line = state.add_line_beside(state.lines()[0].id, -3.6, 0.2);
+  const KnownLine* line = state.add_line_beside(state.lines()[0].id, -3.6, 0.2);
   ASSERT_NE(line, nullptr);
   EXPECT_NEAR(state.offset(*line, 70), 1.8, 1e-12);
   EXPECT_NEAR(state.numbers().variance(line->first), 0.3 * 0.3 + 0.2 * 0.2, 1e-9);
